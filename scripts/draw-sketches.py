@@ -47,6 +47,20 @@ def impacting_beams():
     return sketch
 
 
+def identification():
+    sketch = Sketch("Two upright cantilevers with round heads, drawn apart to a distance S and released; a force transducer on the right head")
+    for x, lean, place in ((100, -62, "P_1"), (190, 62, "P_2")):
+        cantilever(sketch, (x, 250), 190, "", lean)
+        sketch.ground((x - 30, 250), (x + 30, 250))
+        sketch.symbol((x + 1.25 * lean, 60), place, colour=MOTION)
+    sketch.mass((162, 60), 12, 18, fill=CONTACT)
+    for left, right, offset, name in ((122, 156, -38, "Δ"), (60, 230, -66, "S")):
+        sketch.clearance((left, 60), (right, 60), name, offset=offset, side=-1)
+    sketch.clearance((100, 250), (190, 250), "H", offset=26)
+    sketch.symbol((145, 92), "F", colour=CONTACT)
+    return sketch
+
+
 def isolator(symbols):
     """A mass between two stops; symbols of spring, dashpot, stop's spring and dashpot, clearance, force, motion."""
     spring, dashpot, stop_spring, stop_dashpot, clearance, force, motion = symbols
@@ -401,7 +415,7 @@ def solids():
 
 
 SKETCHES = {
-    "impacting-beams": impacting_beams, "isolator-stop": isolator_stop, "isolator-design": isolator_design,
+    "impacting-beams": impacting_beams, "identification": identification, "isolator-stop": isolator_stop, "isolator-design": isolator_design,
     "bumpers": bumpers, "vibro-impact-absorber": absorber, "rigid-stop": rigid_stop,
     "bilinear-oscillator": bilinear_oscillator, "electromechanical": electromechanical,
     "cantilever-stop": cantilever_stop, "measured-modes": measured_modes, "many-contacts": many_contacts, "plates-and-shells": plates_and_shells,

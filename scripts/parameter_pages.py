@@ -19,6 +19,10 @@ from pathlib import Path
 FOLDER = Path("docs") / "parameters"
 FIRST_LINE = "# Example for: "
 INDEX = "README.md"
+SYMBOL = 5  # the cell of a row
+GREEK = dict(zip(("alpha beta gamma delta varepsilon epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau varphi phi omega "
+                  "Delta Omega").split(), "αβγδεεζηθκλμνξρστφφωΔΩ"))
+GREEK_NAME = re.compile(r"\\?\b(" + "|".join(GREEK) + r")(?![A-Za-z])")
 
 
 def title_of(heading):
@@ -28,6 +32,17 @@ def title_of(heading):
 
 def file_of(heading):
     return re.sub(r"[^a-z]+", "-", title_of(heading).lower()) + ".md"
+
+
+def with_letters(printed):
+    """Greek letters for their names in the column of symbols."""
+    lines = printed.split("\n")
+    for number, line in enumerate(lines):
+        cells = re.split(r"(?<!\\)\|", line)
+        if line.startswith("| `") and len(cells) > SYMBOL:
+            cells[SYMBOL] = GREEK_NAME.sub(lambda name: GREEK[name[1]], cells[SYMBOL])
+            lines[number] = "|".join(cells)
+    return "\n".join(lines)
 
 
 def sections(printed):
@@ -138,7 +153,7 @@ def pages(printed, folder):
 
 def print_declarations(program):
     command = [*program, "--print-parameters", "markdown"]
-    return subprocess.run(command, check=True, capture_output=True, encoding="utf-8").stdout
+    return with_letters(subprocess.run(command, check=True, capture_output=True, encoding="utf-8").stdout)
 
 
 def differences(made, folder):
@@ -213,7 +228,8 @@ def self_test():
         (folder / "body.md").write_text("Old\n", encoding="utf-8")
         stale = differences(made, folder)
     point = made["body-point.md"]
-    good = [sorted(made) == ["README.md", "body-point.md", "body.md"], missing, not fresh, stale,
+    row = with_letters("| `Mu` | a \\| b | 1 | | \\mu_s, nu_b, k_\\theta | mu |")
+    good = [row == "| `Mu` | a \\| b | 1 | | μ_s, ν_b, k_θ | mu |", sorted(made) == ["README.md", "body-point.md", "body.md"], missing, not fresh, stale,
             "## Outside all sections\n\n| Key |\n|---|\n| `Title` |\n" in made[INDEX],
             "- [Body NAME](body.md): A body.\n  - [Point NAME](body-point.md): A node.\n" in made[INDEX],
             "\nsubsection Body beam\n  set Type = beam # of steel\n  subsection Point tip\n    set At = end\n  end\nend\n"

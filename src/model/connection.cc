@@ -36,7 +36,8 @@ Connection read_connection(const parameters::Values &section, const std::string 
 void declare_connections(parameters::Section &root) {
   using namespace parameters;
   root.named_subsection("Connection",
-                        "A spring and a dashpot between two points, or a point and its base.")
+                        "A spring and a dashpot between two points, or a point and its base. With "
+                        "Stiffness = 0 N/m alone it measures their relative motion.")
       .names("Between", "",
              "The two ends as BODY.POINT; the second may be base (what the first body stands on, "
              "the default) or ground (fixed in space).")

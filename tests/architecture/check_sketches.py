@@ -20,7 +20,6 @@ from sketch_shapes import MARGIN, Sketch  # noqa: E402
 
 PROGRAM = ROOT / "scripts" / "draw-sketches.py"
 GALLERY = ROOT / "docs" / "gallery"
-OF_ANOTHER_PAGE = {"identification": "impacting-beams"}  # the same system
 WITHOUT_SYSTEM = {"README", "frames"}
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -57,10 +56,9 @@ class Files(unittest.TestCase):
     def test_every_page_shows_its_sketch(self):
         for page in GALLERY.glob("*.md"):
             if page.stem not in WITHOUT_SYSTEM:
-                name = OF_ANOTHER_PAGE.get(page.stem, page.stem)
-                title = ElementTree.parse(GALLERY / "sketches" / f"{name}.svg").find(SVG + "title").text
+                title = ElementTree.parse(GALLERY / "sketches" / f"{page.stem}.svg").find(SVG + "title").text
                 first = page.read_text(encoding="utf-8").split("![")[1]
-                self.assertTrue(first.startswith(f"{title}](sketches/{name}.svg)"), page.name)
+                self.assertTrue(first.startswith(f"{title}](sketches/{page.stem}.svg)"), page.name)
 
     def test_everything_is_inside(self):
         for file in (GALLERY / "sketches").glob("*.svg"):

@@ -394,6 +394,7 @@ class Options(unittest.TestCase):
             (["--at", "frequency"], "AXIS=VALUES is wanted"),
             (["--at", "direction=up"], "direction=up: there are forward"),
             (["--at", "frequency=much"], "not a number"),
+            (["--at", "gap=1 mm", "--at", "base=6 mm"], "no such point of those chosen before"),
             (["--size", "4"], "two numbers are wanted"),
         ]:
             run = plot(self.folder, *arguments)
@@ -403,8 +404,8 @@ class Options(unittest.TestCase):
     def test_points_are_chosen(self):
         with Results(self.folder) as results:
             family = next(a for a in results.analyses() if a.name == "family")
-            choice.choose(family, ["gap=1 mm", "frequency=2.2, 4.9 Hz, 18.9 rad/s"])
-            self.assertEqual(family.chosen, {"Variables.gap": [0], "frequency": [1, 2, 4]})
+            choice.choose(family, ["gap=2 mm", "base=6 mm", "frequency=2.2, 4.9 Hz, 18.9 rad/s"])
+            self.assertEqual(family.chosen, {"Variables.gap": [2], "frequency": [1, 2, 4]})
 
 
 class Expressions(unittest.TestCase):

@@ -71,6 +71,12 @@ class Examples(unittest.TestCase):
         example = self.check("frame-pounding", "earthquake", "floors", 3, 1, False)
         np.testing.assert_allclose(example.contact("clearance"), 0.03, rtol=1e-12)
         self.assertIn("nodes without a partner: 1", example.output)
+        storeys = {quantity: example.value(f"point/soft.left3/{quantity}_x") - example.value(f"point/soft.left2/{quantity}_x")
+                   for quantity in ("displacement", "velocity", "acceleration")}
+        for quantity, drift in (("elongation", storeys["displacement"]), ("elongation_rate", storeys["velocity"]),
+                                ("elongation_acceleration", storeys["acceleration"])):
+            np.testing.assert_allclose(example.value(f"connection/drift3/{quantity}"), drift, rtol=0,
+                                       atol=1e-9 * abs(drift).max())
 
     def test_rattling_plates(self):
         """The thousand pairs thinned out to sixty, by the moments of the forces and by Runge-Kutta steps."""

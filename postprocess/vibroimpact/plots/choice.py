@@ -7,22 +7,41 @@ import math
 import numpy as np
 
 from .errors import ResultError
-from .parameters_text import number
+from .parameters_text import followers, number
 from .results import Analysis
 
 
 def choose(analysis: Analysis, requests: list[str]) -> None:
-    """Enters the indices of the chosen points into the analysis; axes it does not have are left
-    to the other analyses."""
+    """Enters the indices of the chosen points into the analysis; several requests for one axis narrow each other.
+    Axes that it does not have are left to the other analyses."""
     for requested in requests:
         name, equals, values = requested.partition("=")
         if not equals or not values.strip():
             raise ResultError(f"--at {requested}: AXIS=VALUES is wanted")
+        wanted = [value.strip() for value in values.split(",")]
         for axis in analysis.axes:
-            if is_called(axis, name.strip()):
-                wanted = [index_of(analysis, axis, value.strip()) for value in values.split(",")]
-                every = analysis.read(axis).values  # which may hold a value twice, with other keys tied to it
-                analysis.chosen[axis] = [i for i, value in enumerate(every) if value in every[wanted]]
+            indices = indices_at(analysis, axis, name.strip(), wanted)
+            if indices is not None:
+                before = analysis.chosen.get(axis, indices)
+                analysis.chosen[axis] = [i for i in indices if i in before]
+                if not analysis.chosen[axis]:
+                    raise ResultError(f"--at {requested}: {analysis.name} has no such point of those chosen before")
+
+
+def indices_at(analysis: Analysis, axis: str, name: str, wanted: list[str]) -> list[int] | None:
+    """Where an axis, or a key that changes with it, has the wanted values; None where it is called otherwise."""
+    if is_called(axis, name):
+        every = analysis.read(axis).values  # which may hold a value twice, with other keys tied to it
+        nearest = every[[index_of(analysis, axis, value) for value in wanted]]
+        return [i for i, value in enumerate(every) if value in nearest]
+    if axis not in analysis.grid_axes:
+        return None
+    key = analysis.grid[analysis.grid_axes.index(axis)]
+    for path, texts in followers(analysis.parameters, analysis.name, key):
+        if is_called(path.replace("/", "."), name):
+            return [i for i, text in enumerate(texts)
+                    if any(text == value or number(text, {}) == number(value, {}) is not None for value in wanted)]
+    return None
 
 
 def highlight(analysis: Analysis, requests: list[str]) -> None:

@@ -44,7 +44,7 @@ def orbits(analysis: Analysis, base: str, contact: str):
                   linewidth=0.8, linestyle=":")
         axes.set_aspect("equal", adjustable="datalim")
         style.panel_title(axes, text, panels)
-    style.label_grid(panels, scale.label("Place along Direction"), scale.label("Place across it"))
+    style.label_grid(panels, scale.label("Relative position, along"), scale.label("Relative position, across"))
     style.legend_beside(style.upper_right(panels), cycles.direction_handles(analysis))
     figure.suptitle(f"Contact {contact}", x=0.01, ha="left", fontsize=10)
     return figure

@@ -33,11 +33,16 @@ def figures(results: Results, analysis: Analysis):
             if first_pulses(analysis, contact):
                 yield (f"{analysis.name}-first-impact-{contact}",
                        functools.partial(close_up, analysis, contact))
+    for connection in analysis.members("connection"):
+        if analysis.has(f"connection/{connection}/elongation"):
+            yield (f"{analysis.name}-elongation-{connection}",
+                   functools.partial(motion, analysis, f"connection/{connection}",
+                                     analysis.members(f"connection/{connection}")))
     for point in analysis.members("point"):
         quantities = analysis.members(f"point/{point}")
         if quantities:
             yield (f"{analysis.name}-motion-{point}",
-                   functools.partial(motion, analysis, point, quantities))
+                   functools.partial(motion, analysis, f"point/{point}", quantities))
         for quantity in quantities:
             velocity = quantity.replace("displacement", "velocity")
             if quantity.startswith("displacement") and velocity in quantities:
@@ -193,9 +198,11 @@ def draw_peaks(axes, analysis: Analysis, peaks, time_scale, scale) -> Line2D:
                   label="peak of an impact")
 
 
-def motion(analysis: Analysis, point: str, quantities: list[str]):
-    rows = [(f"point/{point}/{quantity}", quantity_label(quantity)) for quantity in quantities]
-    figure = histories(analysis, rows, f"Point {point}")
+def motion(analysis: Analysis, owner: str, quantities: list[str]):
+    """Of a point or a connection: "point/first.mass"."""
+    rows = [(f"{owner}/{quantity}", quantity_label(quantity)) for quantity in quantities]
+    group, name = owner.split("/")
+    figure = histories(analysis, rows, f"{group.capitalize()} {name}")
     if not analysis.grid and any(parts(analysis, "", contact) for contact in analysis.members("contact")):
         shade_contacts(figure, analysis)
     return figure

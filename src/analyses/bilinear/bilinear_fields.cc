@@ -19,8 +19,8 @@ struct Signal {
 
 std::vector<Signal> signals_of(const System &system, const TiedSystem &tied) {
   std::vector<Signal> signals;
-  const ObservedSelection displacements{.points = {},
-                                        .kinds = {"displacement", "absolute_displacement"}};
+  const ObservedSelection displacements{
+      .points = {}, .kinds = {"displacement", "absolute_displacement", "elongation"}};
   for (const Observable &observed : point_observables(system.model, displacements))
     signals.push_back({observed.path, observed.unit, observed.meaning,
                        tied.form(std::get<motion::PointForm>(observed.form).projection)});

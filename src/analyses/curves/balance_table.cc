@@ -61,8 +61,8 @@ PointResult BalanceTable::values_of(const continuation::BranchPoint &point) cons
 
 void BalanceTable::add_points(const HarmonicMotion &motion, const LeftOut &left,
                               const FieldWriter &row) const {
-  const ObservedSelection displacements{.points = {},
-                                        .kinds = {"displacement", "absolute_displacement"}};
+  const ObservedSelection displacements{
+      .points = {}, .kinds = {"displacement", "absolute_displacement", "elongation"}};
   for (const Observable &observed : point_observables(system_.system().model, displacements)) {
     const model::Projection &projection = std::get<motion::PointForm>(observed.form).projection;
     add_observed(observed, system_.balance().observed(projection, motion.coordinates),

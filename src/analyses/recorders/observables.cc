@@ -32,6 +32,17 @@ void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &li
   add("acceleration", "m/s^2", "absolute acceleration", channel.absolute, 2);
 }
 
+void add_connection(const model::Connection &connection, std::vector<Observable> &list) {
+  const auto add = [&](const char *kind, const char *unit, const char *meaning, int order) {
+    list.push_back({"connection/" + connection.name + "/" + kind, kind, unit, meaning,
+                    motion::PointForm{connection.elongation, order}});
+  };
+  add("elongation", "m", "displacement of the second end relative to the first", 0);
+  add("elongation_rate", "m/s", "velocity of the second end relative to the first", 1);
+  add("elongation_acceleration", "m/s^2", "acceleration of the second end relative to the first",
+      2);
+}
+
 void add_friction(const contact::ContactSet &contacts, std::size_t c,
                   std::vector<Observable> &list) {
   const std::string base = "contact/" + contacts.pairs()[c].name + "/";
@@ -109,6 +120,13 @@ void add_rotor(const model::Rotor &rotor, std::vector<Observable> &list) {
   });
 }
 
+std::vector<std::string> connection_names(const model::Model &model) {
+  std::vector<std::string> names;
+  for (const model::Connection &connection : model.connections())
+    names.push_back(connection.name);
+  return names;
+}
+
 void leave_selected(const ObservedSelection &selection, std::vector<Observable> &list) {
   std::erase_if(list, [&](const Observable &one) { return !selection.has(one.kind); });
 }
@@ -125,6 +143,9 @@ std::vector<Observable> point_observables(const model::Model &model,
   for (const Channel &channel : observed_channels(model))
     if (selection.points.empty() || contains(selection.points, channel.point))
       add_channel(channel, fixed, list);
+  for (const model::Connection &connection : model.connections())
+    if (selection.connections.empty() || contains(selection.connections, connection.name))
+      add_connection(connection, list);
   leave_selected(selection, list);
   return list;
 }
@@ -184,10 +205,20 @@ StepFunction along(const Observable &observable, const StepView &view) {
 
 namespace {
 
-const std::vector<std::string> quantity_kinds = {
-    "displacement", "absolute_displacement", "velocity", "acceleration",   "gap",
-    "place",        "normal_force",          "slip",     "friction_force", "stop",
-    "rotor"};
+const std::vector<std::string> quantity_kinds = {"displacement",
+                                                 "absolute_displacement",
+                                                 "velocity",
+                                                 "acceleration",
+                                                 "elongation",
+                                                 "elongation_rate",
+                                                 "elongation_acceleration",
+                                                 "gap",
+                                                 "place",
+                                                 "normal_force",
+                                                 "slip",
+                                                 "friction_force",
+                                                 "stop",
+                                                 "rotor"};
 
 // An empty list means all.
 std::vector<std::string> without_all(std::vector<std::string> names) {
@@ -226,9 +257,12 @@ void declare_selection_of_quantities(parameters::Section &section,
   for (const std::string &kind : with_quantities(more))
     list += ", " + kind;
   section.names("Points", "all", "Points that are observed: all, or their names as BODY.POINT.")
+      .names("Connections", "all", "Connections whose elongation is observed: all, or their names.")
       .names("Quantities", "all",
              "What is observed: all, or some of" + list.substr(1) +
-                 ". place: the two coordinates in a circular gap; stop: internal states of contact "
+                 ". elongation: displacement of the two ends of a connection relative to each "
+                 "other, with its rate and acceleration; place: the two coordinates in a circular "
+                 "gap; stop: internal states of contact "
                  "laws, such as the deformation of a stop; "
                  "rotor: speed, torque and current.");
 }
@@ -236,7 +270,8 @@ void declare_selection_of_quantities(parameters::Section &section,
 ObservedSelection read_selection_of_quantities(const parameters::Values &section,
                                                const std::vector<std::string> &more) {
   ObservedSelection selection{.points = without_all(section.names("Points")),
-                              .kinds = without_all(section.names("Quantities"))};
+                              .kinds = without_all(section.names("Quantities")),
+                              .connections = without_all(section.names("Connections"))};
   for (const std::string &kind : selection.kinds)
     section.require_known("Quantities", kind, with_quantities(more));
   return selection;
@@ -246,10 +281,15 @@ void check_points(const ObservedSelection &selection, const System &system,
                   const parameters::Values &section) {
   for (const std::string &point : selection.points)
     section.require_known("Points", point, system.model.point_names());
+  for (const std::string &connection : selection.connections)
+    section.require_known("Connections", connection, connection_names(system.model));
 }
 
 void declare_points(parameters::Section &section) {
-  section.names("Points", "all", "Points that are observed: all, none, or their names BODY.POINT.");
+  section.names("Points", "all", "Points that are observed: all, none, or their names BODY.POINT.")
+      .names("Connections", "none",
+             "Connections whose elongation is observed, the displacement of their ends relative to "
+             "each other: all, none, or their names.");
 }
 
 void declare_signals(parameters::Section &section) {
@@ -257,13 +297,29 @@ void declare_signals(parameters::Section &section) {
   section
       .choice("Quantity", "displacement", {"displacement", "velocity", "acceleration"},
               "What is observed at the points: displacement or velocity relative to the base, or "
-              "absolute acceleration.")
+              "absolute acceleration; of connections the elongation or its derivatives.")
       .names("Contacts", "none",
              "Contacts whose normal force is observed: all, none, or their names.");
 }
 
-std::vector<std::string> chosen_points(const parameters::Values &values, const System &system) {
-  return chosen(values, "Points", system.model.point_names());
+std::vector<Observable> chosen_points(const parameters::Values &values, const System &system,
+                                      std::initializer_list<int> orders) {
+  const std::vector<std::string> points = chosen(values, "Points", system.model.point_names());
+  const std::vector<std::string> connections =
+      chosen(values, "Connections", connection_names(system.model));
+  std::vector<Observable> list;
+  for (const Channel &channel : observed_channels(system.model))
+    if (contains(points, channel.point))
+      add_channel(channel, false, list);
+  for (const model::Connection &connection : system.model.connections())
+    if (contains(connections, connection.name))
+      add_connection(connection, list);
+  std::erase_if(list, [&](const Observable &one) {
+    const int order = std::get<motion::PointForm>(one.form).order;
+    return one.kind == "absolute_displacement" ||
+           std::find(orders.begin(), orders.end(), order) == orders.end();
+  });
+  return list;
 }
 
 std::vector<std::size_t> chosen_contacts(const parameters::Values &values, const std::string &key,
@@ -280,16 +336,18 @@ std::vector<std::size_t> chosen_contacts(const parameters::Values &values, const
 }
 
 std::vector<Observable> chosen_signals(const parameters::Values &values, const System &system) {
-  std::vector<Observable> signals;
-  if (const std::vector<std::string> points = chosen_points(values, system); !points.empty())
-    signals =
-        point_observables(system.model, {.points = points, .kinds = {values.choice("Quantity")}});
+  const std::string quantity = values.choice("Quantity");
+  std::vector<Observable> signals = chosen_points(values, system,
+                                                  {quantity == "displacement" ? 0
+                                                   : quantity == "velocity"   ? 1
+                                                                              : 2});
   for (const std::size_t c : chosen_contacts(values, "Contacts", system)) {
     signals.push_back(normal_force(system.contacts, c));
     signals.back().supplement.clear();
   }
   if (signals.empty())
-    values.reject("Points", "must name at least one point, or Contacts at least one contact");
+    values.reject("Points",
+                  "must name at least one point, or Connections or Contacts at least one");
   return signals;
 }
 

@@ -41,13 +41,15 @@ StepFunction along(const Observable &observable, const motion::StepView &view);
 struct ObservedSelection {
   std::vector<std::string> points; ///< "body.point"
   std::vector<std::string> kinds;
+  std::vector<std::string> connections{};
 
   bool has(const std::string &kind) const;
 };
 
-/// Of points, of contacts one after the other, of rotors.
+/// Of points, of connections, of contacts one after the other, of rotors.
 std::vector<Observable> observables(const ObservedSelection &selection, const System &system);
-/// Of points alone; `fixed`: displacements in space also where no base moves the point.
+/// Of points and connections alone, all of them motion::PointForm; `fixed`: displacements in space
+/// also where no base moves the point.
 std::vector<Observable> point_observables(const model::Model &model,
                                           const ObservedSelection &selection, bool fixed = false);
 Observable gap_of(const contact::ContactSet &contacts, std::size_t contact);
@@ -68,15 +70,17 @@ ObservedSelection read_selection_of_quantities(const parameters::Values &section
 void check_points(const ObservedSelection &selection, const System &system,
                   const parameters::Values &section);
 
-/// Declares the keys Points, Quantity and Contacts.
+/// Declares the keys Points, Connections, Quantity and Contacts.
 void declare_signals(parameters::Section &section);
 /// What these keys choose. InputError for unknown names and when nothing is chosen.
 std::vector<Observable> chosen_signals(const parameters::Values &values, const System &system);
 
-/// Declares the key Points alone.
+/// Declares the keys Points and Connections.
 void declare_points(parameters::Section &section);
-/// The points that the key chooses. InputError for unknown names.
-std::vector<std::string> chosen_points(const parameters::Values &values, const System &system);
+/// Displacements, velocities or accelerations (`orders` 0, 1, 2) of the points and connections that
+/// the keys choose. InputError for unknown names.
+std::vector<Observable> chosen_points(const parameters::Values &values, const System &system,
+                                      std::initializer_list<int> orders);
 /// The contacts that `key` chooses: all, none, or names. InputError for unknown names.
 std::vector<std::size_t> chosen_contacts(const parameters::Values &values, const std::string &key,
                                          const System &system);

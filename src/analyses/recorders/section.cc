@@ -18,9 +18,11 @@ constexpr std::size_t period_section = 0;
 } // namespace
 
 SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
-    : settings_(std::move(settings)),
-      observables_(point_observables(
-          system.model, {.points = settings_.points, .kinds = {"displacement", "velocity"}})) {
+    : model_(system.model), settings_(std::move(settings)),
+      observables_(settings_.observed.empty()
+                       ? point_observables(system.model,
+                                           {.points = {}, .kinds = {"displacement", "velocity"}})
+                       : settings_.observed) {
   new_section("period", "sample_period", "at the end of a forcing period");
   for (const std::size_t c : settings_.onsets) {
     const std::string &name = system.contacts.pairs()[c].name;
@@ -34,8 +36,10 @@ SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
   for (std::size_t k = 0; settings_.extrema && k < observables_.size(); ++k) {
     if (std::get<motion::PointForm>(observables_[k].form).order > 0)
       continue;
-    const std::string name = observables_[k].path.substr(std::string("point/").size());
-    const std::string flat = boost::replace_last_copy(name, "/displacement_", "_");
+    const std::string &path = observables_[k].path;
+    const std::string name = path.substr(path.find('/') + 1);
+    const std::string flat =
+        boost::replace_last_copy(boost::replace_last_copy(name, "/displacement_", "_"), "/", "_");
     displacement_rates_.push_back(
         {.samples = new_section("extremum/" + name, "sample_extremum_" + flat,
                                 "at an extremum of " + name),
@@ -64,14 +68,14 @@ void SectionRecorder::declare(parameters::Section &analysis) {
 RecorderFactory SectionRecorder::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(poincare_section_keys);
   return [values](const System &system) -> std::unique_ptr<Recorder> {
-    SectionSettings settings{.points = chosen_points(values, system),
+    SectionSettings settings{.observed = chosen_points(values, system, {0, 1}),
                              .onsets = chosen_contacts(values, "Contact onsets", system),
                              .gap_extrema = chosen_contacts(values, "Gap extrema", system),
                              .extrema = values.boolean("Extrema"),
                              .maximum_samples =
                                  static_cast<std::size_t>(values.integer("Maximum samples"))};
-    if (settings.points.empty())
-      values.reject("Points", "must name at least one point");
+    if (settings.observed.empty())
+      values.reject("Points", "must name at least one point, or Connections at least one");
     return std::make_unique<SectionRecorder>(system, std::move(settings));
   };
 }
@@ -104,9 +108,15 @@ void SectionRecorder::add_state(Samples &samples, double time, const Vector &sta
     return;
   samples.time.push_back(time);
   for (std::size_t k = 0; k < observables_.size(); ++k) {
-    const auto &form = std::get<motion::PointForm>(observables_[k].form);
-    const Index first = form.order == 0 ? 0 : layout_.velocity();
-    samples.values[k].push_back(form.projection.row.dot(state.segment(first, layout_.n)));
+    const auto &[projection, order] = std::get<motion::PointForm>(observables_[k].form);
+    const Index first = order == 0 ? 0 : layout_.velocity();
+    double value = projection.row.dot(state.segment(first, layout_.n));
+    for (std::size_t i = 0; i < projection.base_coefficients.size(); ++i) {
+      const model::TimeFunction &base = *model_.sources()[i].function;
+      if (const double factor = projection.base_coefficients[i]; factor != 0)
+        value += factor * (order == 0 ? base.value(time) : base.rate(time));
+    }
+    samples.values[k].push_back(value);
   }
 }
 

@@ -12,7 +12,7 @@
 namespace vibroimpact::analyses {
 
 struct SectionSettings {
-  std::vector<std::string> points{};      ///< that are sampled; none: all
+  std::vector<Observable> observed{};     ///< displacements and velocities; none: of all points
   std::vector<std::size_t> onsets{};      ///< contacts whose onset is a section
   std::vector<std::size_t> gap_extrema{}; ///< contacts whose gap's extrema are
   bool extrema = false;                   ///< whether those of each displacement are
@@ -60,6 +60,7 @@ private:
   void add_zeros(RateSection &section, const motion::StepView &view, const motion::Bernstein &rate);
   void add_samples(const FieldWriter &result, const Samples &samples) const;
 
+  const model::Model &model_;
   SectionSettings settings_;
   std::vector<Observable> observables_; ///< displacements and velocities
   double start_ = 0, period_ = 0;

@@ -155,30 +155,46 @@ double undecided_events(const PointResult &result) {
 
 namespace {
 
+struct ImpactTotals {
+  double impacts = 0, touched = 0, peak_force = 0, impulse = 0, dissipated_energy = 0;
+};
+
+ImpactTotals totals_of(const ImpactLog &log, std::size_t first, std::size_t count) {
+  ImpactTotals totals;
+  for (std::size_t c = first; c < first + count; ++c) {
+    totals.impacts += static_cast<double>(log.impacts(c).size());
+    totals.touched += log.begun(c) > 0 ? 1 : 0;
+    for (const Impact &impact : log.impacts(c)) {
+      totals.peak_force = std::max(totals.peak_force, impact.peak_force);
+      totals.impulse += impact.impulse;
+      totals.dissipated_energy += impact.dissipated_energy;
+    }
+  }
+  return totals;
+}
+
 // Of all contacts of a group, in the summary and as scalars.
 void add_group(const FieldWriter &result, const contact::ContactGroup &group,
                const ImpactLog &log) {
-  double impacts = 0;
-  double touched = 0;
-  double peak = 0;
-  double impulse = 0;
-  double dissipated = 0;
-  for (std::size_t c = group.first; c < group.first + group.count; ++c) {
-    impacts += static_cast<double>(log.impacts(c).size());
-    touched += log.begun(c) > 0 ? 1 : 0;
-    for (const Impact &impact : log.impacts(c)) {
-      peak = std::max(peak, impact.peak_force);
-      impulse += impact.impulse;
-      dissipated += impact.dissipated_energy;
-    }
-  }
+  const ImpactTotals totals = totals_of(log, group.first, group.count);
   const FieldWriter of = result.below("group/" + group.name + "/").listed();
   of.number("contacts", static_cast<double>(group.count), "1", "contacts of the group");
-  of.number("touched", touched, "1", "contacts with an impact");
-  of.number("impacts", impacts, "1", "impacts of all its contacts");
-  of.number("peak_force", peak, "N", "largest normal force of a single contact");
-  of.number("impulse", impulse, "N s", "sum over all impacts");
-  of.number("dissipated_energy", dissipated, "J", "lost in the contact laws, sum over all impacts");
+  of.number("touched", totals.touched, "1", "contacts with an impact");
+  of.number("impacts", totals.impacts, "1", "impacts of all its contacts");
+  of.number("peak_force", totals.peak_force, "N", "largest normal force of a single contact");
+  of.number("impulse", totals.impulse, "N s", "sum over all impacts");
+  of.number("dissipated_energy", totals.dissipated_energy, "J",
+            "lost in the contact laws, sum over all impacts");
+}
+
+// Of one contact, in the summary alone.
+void list_totals(const FieldWriter &of, const ImpactTotals &totals) {
+  of.line("impacts", totals.impacts, "1");
+  if (totals.impacts == 0)
+    return;
+  of.line("peak_force", totals.peak_force, "N");
+  of.line("impulse", totals.impulse, "N s");
+  of.line("dissipated_energy", totals.dissipated_energy, "J");
 }
 
 } // namespace
@@ -196,7 +212,7 @@ void add_impacts(const FieldWriter &result, const contact::ContactSet &contacts,
       of.series(std::string("impact/") + column.name, "impact_" + name, std::move(values),
                 column.unit, column.description);
     }
-    of.line("impacts", static_cast<double>(impacts.size()), "1");
+    list_totals(of, totals_of(log, c, 1));
     for (std::size_t i = 0; i < std::min(summary_lines, impacts.size()); ++i)
       for (const PatternColumn &column : listed)
         of.line("impact[" + std::to_string(i + 1) + "]." + column.name, column.value(impacts[i]),

@@ -46,7 +46,7 @@ void Transient::declare(parameters::Section &analysis) {
                 "Interval of the recorded histories; empty means a thousandth of the duration.")
       .integer("Recorded pulses", "10", Range{.lower = 0, .upper = 1e6}, "",
                "Impacts of each contact whose force is recorded at every time step.")
-      .integer("Listed impacts", "10", Range{.lower = 0, .upper = 1e6}, "",
+      .integer("Listed impacts", "3", Range{.lower = 0, .upper = 1e6}, "",
                "Impacts of each contact that the summary lists; the result file holds all.")
       .integer("Frames", "0", Range{.lower = 0, .upper = 1e5}, "",
                "Pictures of the moving meshes for ParaView; 0 means none.")
@@ -123,7 +123,8 @@ PointResult Transient::compute(const System &system, LineContext &context) const
   motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   Sampler recorder(
       observables({.points = {},
-                   .kinds = {"displacement", "velocity", "acceleration", "gap", "normal_force"}},
+                   .kinds = {"displacement", "velocity", "acceleration", "elongation",
+                             "elongation_rate", "elongation_acceleration", "gap", "normal_force"}},
                   system),
       equal_instants(0, settings_.duration, settings_.sampling_interval));
   FrameRecorder pictures(system, instants(settings_.frames));
@@ -135,7 +136,7 @@ PointResult Transient::compute(const System &system, LineContext &context) const
     trajectory.start(0, system.initial.displacement, system.initial.velocity);
     recording.run({.start = 0, .end = settings_.duration}, trajectory,
                   {&log, &recorder, &pictures, &stresses, &progress});
-    recording.add_fields({result, "recorded/"});
+    recording.add_fields({result, "recorded/", Listed::yes});
     log.end_record(trajectory.time(), trajectory.state(), trajectory.layout());
   } catch (const NumericalError &error) {
     result.status = Status::failed;

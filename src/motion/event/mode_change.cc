@@ -1,5 +1,7 @@
 #include "motion/event/mode_change.h"
 
+#include "common/decompositions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,10 +38,13 @@ const Guard *no_stick(const Equations &equations, std::size_t contact, double ti
 }
 
 // The slip acceleration of sides that are to stick, where what else is held makes them slide all
-// the same: one rests on what is moved. Zero: they can stick.
+// the same: one rests on what is moved. Zero: they can stick, as what is held independently can.
 double imposed_slip(const Equations &equations, std::size_t contact, double time,
                     const Vector &state) {
-  if (equations.holding().size() < 2)
+  const ActiveConstraints &holding = equations.holding();
+  constexpr double least_pivot = 1e-10; // rows that are the same leave 1e-15
+  if (holding.size() < 2 ||
+      PivotedQr(holding.rows() * holding.response(), least_pivot).rank() == holding.size())
     return 0;
   constexpr double roundings = 1e4; // what constraints that can be held leave is far less
   const StateLayout &layout = equations.layout();
@@ -133,9 +138,14 @@ void renew_friction(Equations &equations, const ContactScales &scales, double ti
     if (!has_friction(equations, c))
       continue;
     const LocalState local = sliding_state(equations, c, time, state, scales.speed(c));
-    if (slides(local))
-      equations.set_mode(
-          c, equations.contacts().pairs()[c].law->mode_by_slip(equations.modes()[c], local));
+    const contact::ContactLaw &law = *equations.contacts().pairs()[c].law;
+    const int mode = law.mode_by_slip(equations.modes()[c], local);
+    const bool stops = law.modes()[static_cast<std::size_t>(mode)].holds_slip;
+    if (mode == equations.modes()[c] || (!slides(local) && !stops))
+      continue;
+    equations.set_mode(c, mode);
+    if (stops)
+      stick_or_slip(equations, c, time, state);
   }
 }
 

@@ -21,7 +21,8 @@ void pass_guard(Equations &equations, std::size_t contact, const contact::Guard 
 /// where a motion begins; slip rates below ContactScales::speed() count as none.
 void settle_friction(Equations &equations, const ContactScales &scales, double time, Vector &state);
 
-/// The same where velocities have jumped. A contact that does not slide now goes on as it was.
+/// The same where velocities have jumped. Sides that do not slide now stick if the force that holds
+/// them is there; without true stick they go on as they were.
 void renew_friction(Equations &equations, const ContactScales &scales, double time, Vector &state);
 
 } // namespace vibroimpact::motion

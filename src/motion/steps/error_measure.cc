@@ -98,6 +98,8 @@ void ErrorMeasure::read_contact(std::size_t contact, const EndPoint &point, Scal
   const double kinetic = mass_[contact] * local.gap_rate * local.gap_rate / 2;
   of.energy = stored + kinetic;
   of.force = std::abs(point.rates[layout.impulse(static_cast<Index>(contact))]);
+  for (const contact::TangentialState &along : local.tangential)
+    of.sticking += std::abs(along.force);
   of.rounding = step_epsilon * equations_.magnitude(contact, {.gap = 1}, point.time, point.state);
   for (const Index body : bodies_[contact])
     scales.energy[body] += stored;
@@ -155,6 +157,7 @@ void ErrorMeasure::set_step(const EndPoint &start, const EndPoint &end) {
            .energy = std::max(before.energy, there.energy),
            .force = std::max(before.force, there.force),
            .impulse = there.impulse,
+           .sticking = std::max(before.sticking, there.sticking),
            .work = there.work,
            .rounding = std::max(before.rounding, there.rounding)};
     now.speed = mass_[c] > 0 ? std::sqrt(2 * std::max(now.energy, 0.0) / mass_[c]) : 0;
@@ -176,6 +179,7 @@ void ErrorMeasure::accept() {
           .energy = std::max(fading * of.energy, there.energy),
           .force = std::max(fading * of.force, there.force),
           .impulse = there.impulse,
+          .sticking = std::max(fading * of.sticking, there.sticking),
           .work = there.work,
           .rounding = there.rounding};
   }
@@ -270,17 +274,21 @@ double ErrorMeasure::of_contacts(const Vector &error) const {
   return largest;
 }
 
-// The work of loads on a body that a rigid contact holds: as large as the force that holds it, at a
-// speed that is nothing but error.
+// The work of loads on a body that a contact holds, by a rigid side or where it sticks: as large as
+// the force that does so, at a speed that is nothing but error, and what the rounding of that force
+// makes of it.
 double ErrorMeasure::work_at_rest() const {
+  const ActiveConstraints &holding = equations_.holding();
+  const Vector &mass = equations_.model().mass();
   double sum = 0;
-  for (std::size_t c = 0; c < mass_.size(); ++c) {
-    if (!equations_.mode(c).holds_gap)
-      continue;
-    const RowVector &row = equations_.contacts().pairs()[c].gap.row;
-    for (Index j = 0; j < row.size(); ++j)
-      if (row[j] != 0)
-        sum += present_.of[c].force * length_ * std::abs(row[j]) * speed_tolerances_[j];
+  for (Index k = 0; k < holding.size(); ++k) {
+    const auto [c, direction] = holding.held(k);
+    const double push = length_ * (direction == 0 ? present_.of[c].force : present_.of[c].sticking);
+    for (Index j = 0; j < mass.size(); ++j) {
+      const double momentum = push * std::abs(holding.rows()(k, j));
+      sum += momentum *
+             (speed_tolerances_[j] + step_rounding_factor * step_epsilon * momentum / mass[j]);
+    }
   }
   return sum;
 }

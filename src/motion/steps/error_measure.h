@@ -50,6 +50,7 @@ private:
     double gap = 0, gap_rate = 0, gap_acceleration = 0; ///< absolute values
     double energy = 0; ///< stored, and kinetic of the mass that meets
     double force = 0, impulse = 0;
+    double sticking = 0; ///< force that holds the slip rate [N]
     double work = 0;     ///< dissipated
     double rounding = 0; ///< of the gap
     double speed = 0;    ///< that its energy could make of the mass that meets
