@@ -43,11 +43,12 @@ public:
         return std::move(*found);
       refused = states_;
     }
-    constexpr int starts = 40;
+    constexpr int starts = 8;
     constexpr int most_starts = 2000;
     if (auto found = pivot(effort == FrictionalEffort::limited ? starts : most_starts))
       return std::move(*found);
-    if (effort == FrictionalEffort::full)
+    constexpr std::size_t few = 3;
+    if (effort == FrictionalEffort::full || contacts_.size() <= few)
       if (auto found = try_all())
         return std::move(*found);
     throw NumericalError("no states of " + std::to_string(contacts_.size()) +

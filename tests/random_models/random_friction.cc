@@ -113,6 +113,17 @@ std::string element(Draw &draw, const RandomBodies &bodies, bool crossing) {
          friction(draw, along, false);
 }
 
+// Rigid sides, which may bounce; their friction is Coulomb's.
+std::string rubbing(Draw &draw, const RandomBodies &bodies, double gap, bool opposed) {
+  const std::string law = set("Restitution coefficient", draw.of({0.0, 0.3, 0.7, 0.9})) +
+                          set("Hypothesis", draw.of({"energetic", "newton", "poisson"}));
+  const std::string along =
+      draw.chance(0.3) ? set("Surface speed", draw.of({-1.0, 1.0}) * draw.power(-2, 0), "m/s") : "";
+  return set("Direction", (opposed ? "-" : "") + bodies.direction) + set("Clearance", gap, "m") +
+         set("Law", "newton restitution") + subsection("Newton restitution", law) +
+         subsection("Friction", set("Direction", bodies.across) + along + coulomb(draw));
+}
+
 std::string parting(Draw &draw, const RandomBodies &bodies, double gap, bool opposed) {
   const std::size_t law = draw.below(3);
   const char *names[] = {"linear penalty", "kelvin-voigt", "kelvin-voigt bumper"};
@@ -146,7 +157,7 @@ RandomBodies random_sliding_bodies(Draw &draw, double factor) {
   return bodies;
 }
 
-RandomContacts random_friction(Draw &draw, const RandomBodies &bodies) {
+RandomContacts random_friction(Draw &draw, const RandomBodies &bodies, bool rigid) {
   RandomContacts contacts;
   if (draw.chance(0.25))
     contacts = random_contacts(draw, bodies);
@@ -154,19 +165,22 @@ RandomContacts random_friction(Draw &draw, const RandomBodies &bodies) {
   for (std::size_t j = 0; j < n; ++j) {
     const std::string a = draw.of(bodies.points);
     std::vector<std::string> others = {"stop", "stop", "base"};
+    if (rigid) // a base that starts away from zero leaves no sides overlapping
+      others = {"base", "base"};
     for (const std::string &point : bodies.points)
       if (point != a)
         others.push_back(point);
     const std::string b = draw.of(others);
     const bool crossing = among(a, bodies.crossing);
     const bool opposed = draw.chance(0.5);
-    const double gap = random_clearance(draw, false);
+    const double gap = random_clearance(draw, rigid);
     const bool parts = crossing && draw.chance(0.6);
-    contacts.text +=
-        subsection("Contact f" + std::to_string(j),
-                   set("Between", a + ", " + b) + (parts ? parting(draw, bodies, gap, opposed)
-                                                         : element(draw, bodies, crossing)));
-    if (parts && (b == "stop" || b == "base")) {
+    contacts.text += subsection("Contact f" + std::to_string(j),
+                                set("Between", a + ", " + b) +
+                                    (parts && rigid ? rubbing(draw, bodies, gap, opposed)
+                                     : parts        ? parting(draw, bodies, gap, opposed)
+                                                    : element(draw, bodies, crossing)));
+    if (parts && (b == "stop" || b == "base") && !(rigid && !contacts.stop.empty())) {
       contacts.stop = a;
       contacts.onset = opposed ? -gap : gap;
     }

@@ -11,7 +11,8 @@ RandomBodies random_sliding_bodies(Draw &draw, double factor);
 
 /// One to three contacts f0, f1... with friction of any law, now and then on a moving surface: with
 /// a constant normal force on all points, with one that parts on those that move along two axes.
-/// Beside them, now and then, contacts k0... without friction.
-RandomContacts random_friction(Draw &draw, const RandomBodies &bodies);
+/// Beside them, now and then, contacts k0... without friction. `rigid`: those that part have rigid
+/// sides with Coulomb's friction.
+RandomContacts random_friction(Draw &draw, const RandomBodies &bodies, bool rigid);
 
 } // namespace vibroimpact::testing

@@ -39,7 +39,8 @@ std::string random_model(const ModelChoice &choice) {
   const RandomBodies bodies =
       slides ? random_sliding_bodies(draw, factor) : random_bodies(draw, factor);
   const RandomContacts contacts =
-      slides ? random_friction(draw, bodies) : random_contacts(draw, bodies);
+      slides ? random_friction(draw, bodies, choice.seed >= first_with_rigid_friction)
+             : random_contacts(draw, bodies);
   const double frequency = draw.uniform(1, 25);
   const double duration = 2 * std::numbers::pi / frequency * draw.of({3.0, 6.0});
   std::string text = bodies.text + contacts.text;

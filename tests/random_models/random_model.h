@@ -8,6 +8,8 @@ namespace vibroimpact::testing {
 
 /// Models of these seeds have contacts with friction.
 constexpr std::uint64_t first_with_friction = 1'000'000;
+/// And of these, rigid sides with friction.
+constexpr std::uint64_t first_with_rigid_friction = 2'000'000;
 
 /// What a model is made from; equal numbers give equal text.
 struct ModelChoice {
