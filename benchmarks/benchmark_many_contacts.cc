@@ -1,10 +1,13 @@
 // Cost of many contacts at once: a plate of 40 modes that is shaken on 250 to 2000 stops, with the
-// impacts recorded or not, beside Runge-Kutta steps.
+// impacts recorded or not, beside Runge-Kutta steps. A plate that rubs has spring-sliders along one
+// edge, its surface moving by half the thickness times the slope.
 //
-//   benchmark_many_contacts [pairs [linear | Hertz [moments | rk]]]
+//   benchmark_many_contacts [pairs [linear | Hertz | rubs [moments | rk]]]
 //
 // Times are those of the processor. Memory is the most that the process has used so far, so that
 // sizes ascend and Runge-Kutta steps come last. Exit code 1 when an energy balance does not close.
+#include "contact/friction/frictional_law.h"
+#include "contact/friction/spring_slider.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/linear_penalty.h"
 #include "motion/event/impact_log.h"
@@ -33,6 +36,8 @@ constexpr double lowest = 2 * pi * 12;                          // [rad/s]
 constexpr double forcing = 2 * pi * 16, force = 40;             // [rad/s], [N]
 constexpr double clearance = 1e-4, differences = 1e-4;          // [m]
 constexpr double linear_stiffness = 4e6, hertz_stiffness = 4e8; // of all stops
+constexpr double half_thickness = 2e-3, length = 0.6;           // [m]
+constexpr double sliding_stiffness = 2e6, friction = 0.3;       // of all stops
 constexpr double tolerance = 1e-8, most_residual = 1e-6;
 constexpr long settling = 2, periods = 2;
 
@@ -43,8 +48,30 @@ double shape(int i, int j, double x, double y) {
   return along(i, x) * along(j, y);
 }
 
+// By the place along the edge [1/m].
+double slope(int i, int j, double x, double y) {
+  return i == 0 ? 0 : -i * pi / length * std::sqrt(2.0) * std::sin(i * pi * x) * shape(0, j, x, y);
+}
+
+enum class Law { linear, hertz, rubs };
+constexpr Law laws[] = {Law::linear, Law::hertz, Law::rubs};
+const char *name_of(Law law) {
+  return law == Law::linear ? "linear" : law == Law::hertz ? "Hertz" : "rubs";
+}
+
+std::shared_ptr<const contact::ContactLaw> law_of(Law law, int stops) {
+  if (law == Law::hertz)
+    return std::make_shared<contact::Hertz>(
+        contact::HertzConstants{.stiffness = hertz_stiffness / stops});
+  auto linear = std::make_shared<contact::LinearPenalty>(linear_stiffness / stops);
+  if (law == Law::linear)
+    return linear;
+  return std::make_shared<contact::FrictionalLaw>(
+      linear, std::make_shared<contact::SpringSlider>(sliding_stiffness / stops, friction, 0.0));
+}
+
 // Cosines in both directions with guided edges; the plate moves on soft springs.
-Problem plate_on_stops(int stops, bool hertz) {
+Problem plate_on_stops(int stops, Law kind) {
   const Index n = modes_along * modes_across;
   Vector squares(n), damping(n), load(n);
   const auto each = [](auto &&visit) {
@@ -59,16 +86,13 @@ Problem plate_on_stops(int stops, bool hertz) {
     load[k] = shape(i, j, 0.37, 0.41);
   });
   Problem problem{
-      .model = model::Model({body_along_x("plate", Vector::Ones(n), squares, damping, load)})};
+      .model = model::Model({body_along_x("plate", Vector::Ones(n), squares, damping, load)}),
+      .contacts = {},
+      .recorded = {}};
   problem.model.add_force(
       "shaker", std::make_shared<model::Harmonic>(model::Given::displacement, force, forcing, 0),
       {.body = 0, .point = 0}, Vector3::UnitX());
-  std::shared_ptr<const contact::ContactLaw> law;
-  if (hertz)
-    law = std::make_shared<contact::Hertz>(
-        contact::HertzConstants{.stiffness = hertz_stiffness / stops});
-  else
-    law = std::make_shared<contact::LinearPenalty>(linear_stiffness / stops);
+  const std::shared_ptr<const contact::ContactLaw> law = law_of(kind, stops);
   std::vector<contact::ContactPair> pairs;
   for (int c = 0; c < stops; ++c) {
     // Points that fill the plate evenly (a lattice of Korobov's), clearances likewise.
@@ -78,6 +102,12 @@ Problem plate_on_stops(int stops, bool hertz) {
                                      law));
     pairs.back().name += " " + std::to_string(c);
     each([&](Index k, int i, int j) { pairs.back().gap.row[k] = -shape(i, j, x, y); });
+    if (kind != Law::rubs)
+      continue;
+    pairs.back().tangential.push_back({.slip = pairs.back().gap});
+    each([&](Index k, int i, int j) {
+      pairs.back().tangential[0].slip.row[k] = half_thickness * slope(i, j, x, y);
+    });
   }
   problem.contacts = contact::ContactSet(std::move(pairs));
   problem.end = (settling + periods) * 2 * pi / forcing;
@@ -133,18 +163,18 @@ void print_head() {
 
 struct Case {
   int pairs = 0;
-  bool hertz = false;
+  Law law = Law::linear;
   std::string method;
 };
 
 // The exponent is that of the time in the number of pairs, from the size before.
 bool run(const Case &of, std::map<std::string, std::pair<int, double>> &before) {
-  const Problem problem = plate_on_stops(of.pairs, of.hertz);
+  const Problem problem = plate_on_stops(of.pairs, of.law);
   bool closes = true;
   for (const bool records : {false, true}) {
     const Cost cost = measure(problem, of.method, records);
     const double per_period = 1e3 * cost.seconds / periods;
-    const std::string key = of.method + (of.hertz ? "h" : "l") + (records ? "r" : "-");
+    const std::string key = of.method + name_of(of.law) + (records ? "r" : "-");
     std::string exponent = "-";
     if (const auto known = before.find(key); known != before.end())
       exponent = std::to_string(std::log(per_period / known->second.second) /
@@ -152,8 +182,8 @@ bool run(const Case &of, std::map<std::string, std::pair<int, double>> &before) 
                      .substr(0, 4);
     before[key] = {of.pairs, per_period};
     std::printf("%6d %-7s %-8s %-8s %10.1f %9.0f %11.1f %10.0f %9.1e %9s %8.0f\n", of.pairs,
-                of.hertz ? "Hertz" : "linear", of.method.c_str(), records ? "impacts" : "none",
-                per_period, static_cast<double>(cost.changes) / periods,
+                name_of(of.law), of.method.c_str(), records ? "impacts" : "none", per_period,
+                static_cast<double>(cost.changes) / periods,
                 1e6 * cost.seconds / static_cast<double>(cost.changes),
                 static_cast<double>(cost.steps) / periods, cost.residual, exponent.c_str(),
                 megabytes());
@@ -170,13 +200,13 @@ bool run(int pairs, const std::string &law, const std::string &method) {
   std::map<std::string, std::pair<int, double>> before;
   bool closes = true;
   for (const std::string &by : {std::string("moments"), std::string("rk")})
-    for (const bool hertz : {false, true})
+    for (const Law kind : laws)
       for (const int count : {250, 500, 1000, 2000}) {
         const bool wanted = (pairs == 0 ? by == "moments" || count == 250 : count == pairs) &&
-                            (law.empty() || law == (hertz ? "Hertz" : "linear")) &&
+                            (law.empty() || law == name_of(kind)) &&
                             (method.empty() || method == by);
         if (wanted)
-          closes = run({.pairs = count, .hertz = hertz, .method = by}, before) && closes;
+          closes = run({.pairs = count, .law = kind, .method = by}, before) && closes;
       }
   return closes;
 }

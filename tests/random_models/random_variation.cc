@@ -221,7 +221,8 @@ private:
         continue;
       const Vector direction = projection_.by_state.col(j);
       const double length = direction.cwiseProduct(scale_).cwiseAbs().maxCoeff();
-      if (length == 0)
+      // What is held has no deviation but rounding.
+      if (length <= 1e-12 * scale_[j])
         continue;
       const double step = 1e-3 * size_of_state() / length;
       const auto compare_once = [&] {
