@@ -2,6 +2,8 @@
 
 #include "motion/interval/guard_forms.h"
 
+#include <algorithm>
+
 namespace vibroimpact::motion {
 
 using contact::AffineForm;
@@ -9,17 +11,36 @@ using contact::ContactLaw;
 
 namespace {
 
-// That of the guards into a mode, when all that lead there have the same one.
-const std::vector<AffineForm> *reset_into(const ContactLaw &law, int mode) {
-  const std::vector<AffineForm> *found = nullptr;
-  for (const contact::Mode &from : law.modes())
-    for (const contact::Guard &guard : from.guards) {
-      if (guard.target != mode)
-        continue;
-      if (guard.reset.empty() || found)
-        return nullptr;
-      found = &guard.reset;
-    }
+bool stays(const AffineForm &reset, std::size_t place) {
+  return reset.internal.size() == place + 1 && reset.internal[place] == 1 && reset.gap == 0 &&
+         reset.gap_rate == 0 && reset.constant == 0 && !reset.sees_normal_force();
+}
+
+bool same(const AffineForm &one, const AffineForm &other) {
+  AffineForm difference = -1.0 * other;
+  difference += one;
+  return difference.zero();
+}
+
+// What guards make of an internal state on the way into a mode, through modes that they leave it as
+// it is on the way to, when there is one such form only; nullptr otherwise.
+const AffineForm *reset_into(const ContactLaw &law, int mode, std::size_t place) {
+  const AffineForm *found = nullptr;
+  std::vector<int> targets = {mode};
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    for (std::size_t m = 0; m < law.modes().size(); ++m)
+      for (const contact::Guard &guard : law.modes()[m].guards) {
+        if (guard.target != targets[i])
+          continue;
+        const bool kept = place >= guard.reset.size() || stays(guard.reset[place], place);
+        if (kept && std::ranges::find(targets, static_cast<int>(m)) == targets.end())
+          targets.push_back(static_cast<int>(m));
+        if (kept)
+          continue;
+        if (found && !same(*found, guard.reset[place]))
+          return nullptr;
+        found = &guard.reset[place];
+      }
   return found;
 }
 
@@ -57,54 +78,51 @@ void hold(const Equations &equations, const std::vector<KeyTangent *> &keys, dou
   map.by_key.middleRows(layout.velocity(), layout.n) -= response * holding.forces(gap_rates);
 }
 
-bool stays(const AffineForm &reset, std::size_t place) {
-  return reset.internal.size() == place + 1 && reset.internal[place] == 1 && reset.gap == 0 &&
-         reset.gap_rate == 0 && reset.constant == 0 && !reset.sees_normal_force();
-}
-
 // The spring of a slider that slides is what the normal force makes of it.
 void slave_to_force(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
-                    const Vector &state, std::size_t c, LinearMap &map) {
+                    const Vector &state, std::size_t c, std::size_t place, const AffineForm &reset,
+                    LinearMap &map) {
   const contact::ContactPair &pair = equations.contacts().pairs()[c];
   const int mode = equations.modes()[c];
-  const std::vector<AffineForm> &reset = *reset_into(*pair.law, mode);
-  for (std::size_t i = 0; i < reset.size(); ++i) {
-    if (stays(reset[i], i))
-      continue;
-    const Index row = equations.layout().internal() + pair.internal_offset + static_cast<Index>(i);
-    const RowVector gradient =
-        tangent_row(equations, c, reset[i], time, state).row.head(map.by_state.rows());
-    map.by_state.row(row) = (gradient * map.by_state).eval();
-    map.by_key.row(row) = (gradient * map.by_key).eval();
-    for (std::size_t k = 0; k < keys.size(); ++k)
-      map.by_key(row, static_cast<Index>(k)) += keys[k]->form(
-          equations, c,
-          [&](const ContactLaw &law) -> const AffineForm & { return (*reset_into(law, mode))[i]; },
-          time, state);
-  }
+  const Index row =
+      equations.layout().internal() + pair.internal_offset + static_cast<Index>(place);
+  const RowVector gradient =
+      tangent_row(equations, c, reset, time, state).row.head(map.by_state.rows());
+  map.by_state.row(row) = (gradient * map.by_state).eval();
+  map.by_key.row(row) = (gradient * map.by_key).eval();
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    map.by_key(row, static_cast<Index>(k)) += keys[k]->form(
+        equations, c,
+        [&](const ContactLaw &law) -> const AffineForm & { return *reset_into(law, mode, place); },
+        time, state);
+}
+
+void slave_to_gap(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
+                  const Vector &state, std::size_t c, std::size_t place, double factor,
+                  LinearMap &map) {
+  const contact::ContactPair &pair = equations.contacts().pairs()[c];
+  const Index row =
+      equations.layout().internal() + pair.internal_offset + static_cast<Index>(place);
+  const Index n = equations.layout().n;
+  map.by_state.row(row) = factor * pair.gap.row * map.by_state.topRows(n);
+  map.by_key.row(row) = factor * pair.gap.row * map.by_key.topRows(n);
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    map.by_key(row, static_cast<Index>(k)) += factor * keys[k]->gap(c, time, state);
 }
 
 void slave(const Equations &equations, const std::vector<KeyTangent *> &keys, double time,
            const Vector &state, std::size_t c, LinearMap &map) {
   const contact::ContactPair &pair = equations.contacts().pairs()[c];
-  const int mode = equations.modes()[c];
-  const std::vector<AffineForm> *reset = reset_into(*pair.law, mode);
-  if (!reset)
-    return;
-  if (equations.mode(c).sees_force_rate)
-    return slave_to_force(equations, keys, time, state, c, map);
-  if (!equations.mode(c).affine)
-    return;
-  const std::vector<AffineForm> &rates = equations.mode(c).affine->internal_rate;
-  for (std::size_t i = 0; i < reset->size() && i < rates.size(); ++i) {
-    if (!follows_gap((*reset)[i], rates[i], !pair.tangential.empty()))
+  const contact::Mode &mode = equations.mode(c);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(pair.n_internal()); ++i) {
+    const AffineForm *reset = reset_into(*pair.law, equations.modes()[c], i);
+    if (!reset)
       continue;
-    const Index row = equations.layout().internal() + pair.internal_offset + static_cast<Index>(i);
-    const Index n = equations.layout().n;
-    map.by_state.row(row) = (*reset)[i].gap * pair.gap.row * map.by_state.topRows(n);
-    map.by_key.row(row) = (*reset)[i].gap * pair.gap.row * map.by_key.topRows(n);
-    for (std::size_t k = 0; k < keys.size(); ++k)
-      map.by_key(row, static_cast<Index>(k)) += (*reset)[i].gap * keys[k]->gap(c, time, state);
+    if (mode.sees_force_rate)
+      slave_to_force(equations, keys, time, state, c, i, *reset, map);
+    else if (mode.affine && i < mode.affine->internal_rate.size() &&
+             follows_gap(*reset, mode.affine->internal_rate[i], !pair.tangential.empty()))
+      slave_to_gap(equations, keys, time, state, c, i, reset->gap, map);
   }
 }
 
