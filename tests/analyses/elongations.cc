@@ -81,20 +81,20 @@ double largest_elongation(const System &system, const std::string &quantity) {
 
 TEST(ElongationsTest, OfTwoBlocks) {
   const double amplitude = std::abs(force / impedance(second) - force / impedance(first));
-  EXPECT_NEAR(largest_elongation(two_blocks(), "elongation"), amplitude, 1e-10 * amplitude);
+  EXPECT_NEAR(largest_elongation(two_blocks(), "elongation"), amplitude, 1e-13 * amplitude);
   EXPECT_NEAR(largest_elongation(two_blocks(), "elongation_rate"), omega * amplitude,
-              1e-9 * omega * amplitude);
+              1e-13 * omega * amplitude);
   EXPECT_NEAR(largest_elongation(two_blocks(), "elongation_acceleration"),
-              omega * omega * amplitude, 1e-7 * omega * omega * amplitude);
+              omega * omega * amplitude, 1e-12 * omega * omega * amplitude);
 }
 
 TEST(ElongationsTest, FromTheBaseAndFromTheGround) {
   const double relative = std::abs(mass * omega * omega * base / impedance(first));
   const double absolute = std::abs(Complex(first, omega * damping) / impedance(first)) * base;
   EXPECT_NEAR(largest_elongation(shaken_block(side_base), "elongation"), relative,
-              1e-10 * relative);
+              1e-13 * relative);
   EXPECT_NEAR(largest_elongation(shaken_block(side_ground), "elongation"), absolute,
-              1e-10 * absolute);
+              1e-13 * absolute);
 }
 
 // Samples at the ends of the periods see the base's own motion too.
@@ -114,7 +114,7 @@ TEST(ElongationsTest, InSections) {
   section.add_fields(result);
   const Complex absolute = Complex(first, omega * damping) / impedance(first) * base;
   EXPECT_NEAR(field_of(result, "section/period/connection/gauge/elongation_rate").values.at(0),
-              -omega * absolute.real(), 1e-9 * omega * std::abs(absolute));
+              -omega * absolute.real(), 1e-13 * omega * std::abs(absolute));
 }
 
 TEST(ElongationsTest, InFrequencyResponses) {
@@ -127,7 +127,7 @@ TEST(ElongationsTest, InFrequencyResponses) {
   FrequencyResponse({.frequencies = {omega / (2 * pi), 3}, .excitation = ""})
       .run_line(0, system, points);
   EXPECT_NEAR(points.values({}, gauge + "/amplitude")[0], force / std::abs(impedance(first)),
-              1e-13);
+              1e-15);
 }
 
 TEST(ElongationsTest, OfChosenConnectionsOnly) {

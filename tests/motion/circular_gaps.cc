@@ -63,15 +63,7 @@ struct Rub {
       (std::abs(load()) > eccentricity * speed * speed ? high : low) = radius;
     }
   }
-  Model model() const {
-    Model model({isotropic("rotor", 1, 1, damping)});
-    const double force = eccentricity * speed * speed;
-    model.add_force("along", std::make_shared<Harmonic>(Given::displacement, force, speed, pi / 2),
-                    {.body = 0, .point = 0}, Vector3::UnitX());
-    model.add_force("across", std::make_shared<Harmonic>(Given::displacement, force, speed, 0),
-                    {.body = 0, .point = 0}, Vector3::UnitY());
-    return model;
-  }
+  Model model() const { return testing::unbalanced_rotor(damping, eccentricity, speed); }
   Complex at(double time) const { return std::polar(radius, speed * time - std::arg(load())); }
 };
 

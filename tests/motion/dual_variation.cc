@@ -11,6 +11,7 @@
 #include "contact/laws/tsuji.h"
 #include "motion/variation/linearised_motion.h"
 #include "support/dual_laws.h"
+#include "support/key_families.h"
 #include "support/rigid_contacts.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +25,7 @@ using namespace contact;
 using namespace model;
 using testing::Dual;
 using testing::Duals;
+using testing::Parts;
 
 // Keys by their places.
 enum : std::size_t { mass, link, cubic, stiffness, loss, clearance, amplitude, frequency, n_keys };
@@ -58,11 +60,6 @@ std::shared_ptr<const ContactLaw> make_law(const std::string &name, double k, do
     return std::make_shared<KuwabaraKono>(k, c);
   return testing::newton(c);
 }
-
-struct Parts {
-  Model model;
-  ContactSet contacts;
-};
 
 constexpr double start_time = 0.2;
 

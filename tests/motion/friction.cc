@@ -1,6 +1,6 @@
 // Sliding and sticking under constant normal forces, against closed forms and published cases.
 #include "model/time_function.h"
-#include "support/friction_models.h"
+#include "support/friction_by_method.h"
 
 #include <gtest/gtest.h>
 
@@ -14,23 +14,12 @@ using namespace model;
 using contact::ContactSet;
 using testing::Changes;
 using testing::coulomb;
-using testing::settings_of;
 using testing::single_mass;
 using testing::sliding_along_x;
 using testing::vector_of;
 constexpr double pi = std::numbers::pi;
 
-// Errors of the steps grow from contact change to contact change.
-class FrictionTest : public ::testing::TestWithParam<const char *> {
-protected:
-  bool exact() const { return std::string(GetParam()) == "exact"; }
-  double error(double of_exact_path) const { return exact() ? of_exact_path : 1e-8; }
-  Settings settings() const {
-    Settings settings = settings_of(GetParam());
-    settings.absolute_tolerance = exact() ? settings.absolute_tolerance : 0;
-    return settings;
-  }
-};
+class FrictionTest : public testing::FrictionByMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, FrictionTest, ::testing::Values("exact", "rk"));
 
 // Half a cycle loses 2 mu N / k; the mass rests where the spring pulls less than friction.

@@ -5,7 +5,7 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/linear_penalty.h"
 #include "model/time_function.h"
-#include "support/friction_models.h"
+#include "support/friction_by_method.h"
 
 #include <gtest/gtest.h>
 
@@ -27,20 +27,14 @@ using testing::Changes;
 using testing::constant_with;
 using testing::oblique_contact;
 using testing::particle;
-using testing::settings_of;
 using testing::single_mass;
 using testing::sliding_along_x;
 using testing::vector_of;
 constexpr double pi = std::numbers::pi;
 
-class FrictionLawsTest : public ::testing::TestWithParam<const char *> {
+class FrictionLawsTest : public testing::FrictionByMethod {
 protected:
-  double error() const { return std::string(GetParam()) == "exact" ? 1e-12 : 1e-8; }
-  Settings settings() const {
-    Settings settings = settings_of(GetParam());
-    settings.absolute_tolerance = error() < 1e-10 ? settings.absolute_tolerance : 0;
-    return settings;
-  }
+  double error() const { return FrictionByMethod::error(1e-12); }
 };
 INSTANTIATE_TEST_SUITE_P(Methods, FrictionLawsTest, ::testing::Values("exact", "rk"));
 

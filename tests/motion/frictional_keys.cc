@@ -9,6 +9,7 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "motion/variation/linearised_motion.h"
 #include "support/circular_contacts.h"
+#include "support/key_families.h"
 #include "support/motion_derivative.h"
 
 #include <gtest/gtest.h>
@@ -29,30 +30,18 @@ using model::Given;
 using model::Harmonic;
 using model::Model;
 using testing::isotropic;
+using testing::Parts;
 using testing::ring_about_z;
+using testing::tangent_by_key;
+using testing::unbalanced_rotor;
 using testing::vector_of;
 constexpr double pi = std::numbers::pi;
-
-struct Parts {
-  Model model;
-  ContactSet contacts;
-};
 
 Settings accurate() {
   Settings settings = testing::settings_of("exact");
   settings.relative_tolerance = 1e-12;
   settings.absolute_tolerance = 0;
   return settings;
-}
-
-KeyTangent tangent_of(const std::function<Parts(double)> &make, double value, const Parts &parts) {
-  std::vector<KeyNeighbour> neighbours;
-  for (const double place : {-2e-3, -1e-3, 1e-3, 2e-3}) {
-    Parts near = make(value * (1 + place));
-    neighbours.push_back(
-        KeyNeighbour::of(place * value, std::move(near.model), std::move(near.contacts)));
-  }
-  return {"key", parts.model, parts.contacts, std::move(neighbours)};
 }
 
 /// A ball in a ring whose surface moves, driven along x: each number by its name.
@@ -108,7 +97,7 @@ void agree_with_differences(const std::function<Parts(double)> &make, double val
   from << 0.003, -0.004, 0.3, 0.45, internal;
   sizes << 1e-3, 1e-3, 0.1, 0.1, Vector::Constant(internal.size(), 1e-4);
   const double end = 0.12;
-  KeyTangent tangent = tangent_of(make, value, parts);
+  KeyTangent tangent = tangent_by_key(make, value, parts);
   Lineariser linearise(trajectory, {.scale = sizes.cwiseInverse(), .tolerance = 1e-11});
   const LinearisedMotion motion = linearise({.time = 0, .physical = from}, end, {&tangent});
   EXPECT_GE(motion.events, 1) << what;
@@ -203,12 +192,7 @@ struct Rub {
     return vector_of({place.real(), place.imag(), rate.real(), rate.imag()});
   }
   Parts parts() const {
-    Model model({isotropic("rotor", 1, 1, damping)});
-    const double force = unbalance * speed * speed;
-    model.add_force("along", std::make_shared<Harmonic>(Given::displacement, force, speed, pi / 2),
-                    {.body = 0, .point = 0}, Vector3::UnitX());
-    model.add_force("across", std::make_shared<Harmonic>(Given::displacement, force, speed, 0),
-                    {.body = 0, .point = 0}, Vector3::UnitY());
+    Model model = unbalanced_rotor(damping, unbalance, speed);
     ContactSet contacts({ring_about_z(model, "rotor.head", "", clearance,
                                       std::make_shared<contact::LinearPenalty>(ring),
                                       std::make_shared<Coulomb>(friction, friction))});
@@ -229,7 +213,7 @@ TEST(FrictionalKeys, SynchronousRubAlongKeys) {
     const Parts parts = rub.parts();
     Trajectory trajectory(parts.model, parts.contacts, accurate());
     KeyTangent tangent =
-        tangent_of([&](double value) { return of(value).parts(); }, rub.*key, parts);
+        tangent_by_key([&](double value) { return of(value).parts(); }, rub.*key, parts);
     Lineariser linearise(trajectory, {.scale = Vector::Constant(4, 10), .tolerance = 1e-12});
     const LinearisedMotion motion =
         linearise({.time = 0, .physical = rub.start()}, 2 * pi / rub.speed, {&tangent});

@@ -8,6 +8,7 @@
 #include "model/pulse.h"
 #include "motion/variation/linearised_motion.h"
 #include "support/friction_models.h"
+#include "support/key_families.h"
 #include "support/motion_derivative.h"
 #include "support/rigid_contacts.h"
 
@@ -23,14 +24,11 @@ using contact::ContactSet;
 using testing::add_weight;
 using testing::contact_along_x;
 using testing::newton;
+using testing::Parts;
 using testing::single_mass;
 using testing::stop_on_base;
+using testing::tangent_by_key;
 using testing::vector_of;
-
-struct Parts {
-  Model model;
-  ContactSet contacts{};
-};
 
 // A system as a function of one key.
 struct Family {
@@ -42,18 +40,9 @@ struct Family {
   Settings settings() const {
     return {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-15, .event_tolerance = 1e-14};
   }
-  KeyTangent tangent(const Parts &parts) const {
-    std::vector<KeyNeighbour> neighbours;
-    for (const double place : {-2e-3, -1e-3, 1e-3, 2e-3}) {
-      Parts near = make(value * (1 + place));
-      neighbours.push_back(
-          KeyNeighbour::of(place * value, std::move(near.model), std::move(near.contacts)));
-    }
-    return {"key", parts.model, parts.contacts, std::move(neighbours)};
-  }
   LinearisedMotion linearised() const {
     const Parts parts = make(value);
-    KeyTangent key = tangent(parts);
+    KeyTangent key = tangent_by_key(make, value, parts);
     Trajectory trajectory(parts.model, parts.contacts, settings());
     Lineariser linearise(trajectory,
                          {.scale = Vector::Ones(start.physical.size()), .tolerance = 1e-12});

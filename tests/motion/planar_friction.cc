@@ -331,12 +331,6 @@ INSTANTIATE_TEST_SUITE_P(Methods, PlanarFrictionMethodsTest, ::testing::Values("
 // nothing. Without a dashpot the spring turns at the rate k_t |v| / (mu N) towards the slip: where
 // N begins without a slope explicit steps would be without number.
 TEST_P(PlanarFrictionMethodsTest, MotionAlongOneDirection) {
-  const double angle = 0.7;
-  const Vector3 ahead(std::cos(angle), std::sin(angle), 0);
-  const Sled sled{
-      .mass = 2, .kx = 3e5, .ky = 3e5, .start = {0, 0, 0.099, 0.36 * ahead[0], 0.36 * ahead[1], 1}};
-  const Model model = sled_model(sled);
-  const Vector start = Eigen::Map<const Vector>(sled.start.data(), 6);
   const std::vector<std::shared_ptr<const ContactLaw>> normals = {
       std::make_shared<LinearPenalty>(3e4), std::make_shared<KelvinVoigt>(3e4, 90),
       std::make_shared<Hertz>(contact::HertzConstants{.stiffness = 1e5})};
@@ -345,22 +339,12 @@ TEST_P(PlanarFrictionMethodsTest, MotionAlongOneDirection) {
       if (dashpot == 0 && normal == normals.back() && std::string(GetParam()) == "rk")
         continue;
       SCOPED_TRACE(normal->name() + " " + std::to_string(dashpot));
-
-      const auto moved = [&](const std::shared_ptr<const contact::TangentialLaw> &friction,
-                             const std::vector<Vector3> &directions) {
-        const ContactSet contacts(
-            {on_the_ground(model, std::make_shared<FrictionalLaw>(normal, friction), directions)});
-        Trajectory trajectory(model, contacts, precise(GetParam()));
-        trajectory.start(0, start.head(3), start.tail(3));
-        trajectory.advance(0.03, Observers({}));
-        return Vector(trajectory.state().head(6));
-      };
-      const Vector one = moved(std::make_shared<SpringSlider>(2e5, 0.3, dashpot), {ahead});
-      const Vector two =
-          moved(std::make_shared<PlanarSpringSlider>(SpringSliderConstants{
-                    .stiffness = 2e5, .coefficient = 0.3, .damping_constant = dashpot}),
-                across_the_ground());
-      EXPECT_LT((one - two).cwiseAbs().maxCoeff(), 1e-8);
+      EXPECT_LT(testing::apart_along_one_direction(
+                    normal, std::make_shared<SpringSlider>(2e5, 0.3, dashpot),
+                    std::make_shared<PlanarSpringSlider>(SpringSliderConstants{
+                        .stiffness = 2e5, .coefficient = 0.3, .damping_constant = dashpot}),
+                    GetParam()),
+                1e-8);
     }
 }
 

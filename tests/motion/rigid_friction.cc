@@ -2,7 +2,7 @@
 // closed forms; both ways to integrate.
 #include "common/error.h"
 #include "motion/variation/variation.h"
-#include "support/friction_models.h"
+#include "support/friction_by_method.h"
 #include "support/motion_derivative.h"
 
 #include <gtest/gtest.h>
@@ -35,16 +35,7 @@ void add_fall(Model &model, double gravity) {
   model.add_gravity("weight", make_constant(Given::displacement, gravity), {0}, Vector3::UnitY());
 }
 
-class RigidFrictionTest : public ::testing::TestWithParam<const char *> {
-protected:
-  bool exact() const { return std::string(GetParam()) == "exact"; }
-  double error(double of_exact_path) const { return exact() ? of_exact_path : 1e-8; }
-  Settings settings() const {
-    Settings settings = settings_of(GetParam());
-    settings.absolute_tolerance = exact() ? settings.absolute_tolerance : 0;
-    return settings;
-  }
-};
+class RigidFrictionTest : public testing::FrictionByMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, RigidFrictionTest, ::testing::Values("exact", "rk"));
 
 // v = v0 - mu g t until it stops; then it rests.

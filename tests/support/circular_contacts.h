@@ -6,6 +6,7 @@
 #include "contact/laws/linear_penalty.h"
 #include "support/friction_models.h"
 
+#include <cmath>
 #include <complex>
 #include <memory>
 #include <string>
@@ -63,6 +64,20 @@ inline std::shared_ptr<const reduction::ReducedBody> isotropic(const std::string
   body->stiffness = Vector::Constant(2, stiffness);
   body->damping = damping * Matrix::Identity(2, 2);
   return body;
+}
+
+/// Unit mass and stiffness; eccentricity [m], speed [rad/s]. At t = 0 the unbalance is along x.
+inline model::Model unbalanced_rotor(double damping, double eccentricity, double speed) {
+  model::Model model({isotropic("rotor", 1, 1, damping)});
+  const auto turn = [&](const char *name, double phase, const Vector3 &direction) {
+    model.add_force(name,
+                    std::make_shared<model::Harmonic>(model::Given::displacement,
+                                                      eccentricity * speed * speed, speed, phase),
+                    {.body = 0, .point = 0}, direction);
+  };
+  turn("along", std::acos(0.0), Vector3::UnitX());
+  turn("across", 0, Vector3::UnitY());
+  return model;
 }
 
 } // namespace vibroimpact::testing

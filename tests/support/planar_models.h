@@ -97,4 +97,26 @@ inline motion::Settings precise(const std::string &method) {
   return settings;
 }
 
+/// Flies against the ground and slides on, along one slanted direction: by how much the states [m,
+/// m/s] with friction along that direction and with friction along x and y differ in the end.
+inline double
+apart_along_one_direction(const std::shared_ptr<const contact::ContactLaw> &normal,
+                          const std::shared_ptr<const contact::TangentialLaw> &along_one,
+                          const std::shared_ptr<const contact::TangentialLaw> &along_two,
+                          const std::string &method) {
+  const double angle = 0.7;
+  const Vector3 ahead(std::cos(angle), std::sin(angle), 0);
+  const model::Model model = sled_model({.mass = 2, .kx = 3e5, .ky = 3e5});
+  const auto moved = [&](const std::shared_ptr<const contact::TangentialLaw> &friction,
+                         const std::vector<Vector3> &directions) {
+    const contact::ContactSet contacts({on_the_ground(
+        model, std::make_shared<contact::FrictionalLaw>(normal, friction), directions)});
+    motion::Trajectory trajectory(model, contacts, precise(method));
+    trajectory.start(0, Vector3(0, 0, 0.099), 0.36 * ahead + Vector3::UnitZ());
+    trajectory.advance(0.03, motion::Observers({}));
+    return Vector(trajectory.state().head(6));
+  };
+  return (moved(along_one, {ahead}) - moved(along_two, across_the_ground())).cwiseAbs().maxCoeff();
+}
+
 } // namespace vibroimpact::testing
