@@ -143,7 +143,10 @@ void declare_derived(parameters::Section &root) {
                 "Step of Field from one point to the next that is no jump yet.")
       .required(operations_with("Threshold"))
       .quantities("Levels", "", dimension::any, range::any, "", "Levels of a contour.", 0, 1000)
-      .required(operations_with("Levels"));
+      .required(operations_with("Levels"))
+      .quantity("Probability", "", dimension::none, range::fraction, "p",
+                "Of a quantile: the value that this share of the values does not exceed.")
+      .required(operations_with("Probability"));
 }
 
 void check_analyses(const Values &root) {

@@ -80,6 +80,10 @@ DerivedArray value_at_maximum(const Request &request);
 DerivedArray value_at_minimum(const Request &request);
 // mean.cc
 DerivedArray mean(const Request &request);
+// spread.cc
+DerivedArray standard_deviation(const Request &request);
+DerivedArray standard_error(const Request &request);
+DerivedArray quantile(const Request &request);
 // selection.cc
 Check check_places;
 DerivedArray select(const Request &request);

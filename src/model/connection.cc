@@ -9,26 +9,37 @@ namespace {
 
 constexpr parameters::Dimension cubic_stiffness{.length = -2, .mass = 1, .time = -2}; // N/m^3
 
+// A swept spring or dashpot may be zero at an end.
+void require_constant(const parameters::Values &section, bool rotation) {
+  if (rotation && !section.given("Rotational stiffness") && !section.given("Rotational damping"))
+    section.reject_section("Rotational stiffness or Rotational damping must be given; without one "
+                           "the connection does nothing");
+  if (!rotation && !section.given("Stiffness") && !section.given("Cubic stiffness") &&
+      !section.given("Damping"))
+    section.reject_section("Stiffness, Cubic stiffness or Damping must be given; without one the "
+                           "connection does nothing");
+}
+
 Connection read_connection(const parameters::Values &section, const std::string &name,
                            const Model &model) {
   const Sides sides = read_sides(section, {side_base, side_ground}, model);
-  const Vector3 direction = read_direction(section, "Direction");
-  const Projection elongation = relative_displacement(sides, direction, model);
+  const MotionAxis axis = read_motion_axis(section, "Direction");
+  check_axis_keys(section, axis, {"Stiffness", "Cubic stiffness", "Damping"},
+                  {"Rotational stiffness", "Rotational damping"});
+  const Projection elongation = relative_displacement(sides, axis, model);
   if (elongation.row.isZero(0))
     section.reject(
         "Direction",
         "Direction must be a direction along which at least one of the two sides can move.");
-  // A swept spring or dashpot may be zero at an end.
-  if (!section.given("Stiffness") && !section.given("Cubic stiffness") && !section.given("Damping"))
-    section.reject_section("Stiffness, Cubic stiffness or Damping must be given; without one the "
-                           "connection does nothing");
+  require_constant(section, axis.rotation);
   return {.name = name,
           .side_a = sides.a,
           .side_b = sides.b,
           .elongation = elongation,
-          .stiffness = section.quantity("Stiffness"),
+          .stiffness = section.quantity(axis.rotation ? "Rotational stiffness" : "Stiffness"),
           .cubic_stiffness = section.quantity("Cubic stiffness"),
-          .damping = section.quantity("Damping")};
+          .damping = section.quantity(axis.rotation ? "Rotational damping" : "Damping"),
+          .rotation = axis.rotation};
 }
 
 } // namespace
@@ -42,11 +53,17 @@ void declare_connections(parameters::Section &root) {
              "The two ends as BODY.POINT; the second may be base (what the first body stands on, "
              "the default) or ground (fixed in space).")
       .required()
-      .text("Direction", "x", "Direction along which it acts: x, -y or three numbers.")
+      .text("Direction", "x",
+            "Direction along which it acts: x, -y or three numbers; or rx, -ry and so on for the "
+            "rotation about which it does.")
       .quantity("Stiffness", "0 N/m", dimension::stiffness, range::any, "k", "Linear part.")
       .quantity("Cubic stiffness", "0 N/m^3", cubic_stiffness, range::any, "k_3",
                 "Factor of the cube of the elongation; negative softens.")
-      .quantity("Damping", "0 N s/m", dimension::damping, range::non_negative, "c", "Dashpot.");
+      .quantity("Damping", "0 N s/m", dimension::damping, range::non_negative, "c", "Dashpot.")
+      .quantity("Rotational stiffness", "0 N m", dimension::rotational_stiffness, range::any,
+                "k_\\theta", "Torque per relative rotation [N m/rad].")
+      .quantity("Rotational damping", "0 N m s", dimension::rotational_damping, range::non_negative,
+                "c_\\theta", "Torque per relative angular velocity.");
 }
 
 void add_connections(const parameters::Values &root, Model &model) {

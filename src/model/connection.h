@@ -4,8 +4,9 @@
 //                                     k   stiffness [N/m], k3 cubic stiffness [N/m^3]
 //                                     c   damping constant [N s/m]
 //
-// A positive tension pulls the two points together. Stored energy k e^2/2 + k3 e^4/4, dissipated
-// power c e'^2.
+// About an axis (Direction = rx and so on) e is a relative rotation [rad], the tension a torque [N
+// m]. A positive tension pulls the two points together. Stored energy k e^2/2 + k3 e^4/4,
+// dissipated power c e'^2.
 #pragma once
 
 #include "model/model.h"

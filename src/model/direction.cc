@@ -41,4 +41,26 @@ Vector3 read_direction(const parameters::Values &values, const std::string &key)
   return *direction;
 }
 
+MotionAxis read_motion_axis(const parameters::Values &values, const std::string &key) {
+  std::string text = boost::trim_copy(values.text(key));
+  const auto letter = text.find('r');
+  const bool rotation = letter != std::string::npos;
+  if (rotation)
+    text.erase(letter, 1);
+  const std::optional<Vector3> direction = parse_direction(text);
+  if (!direction || (rotation && text.find(',') != std::string::npos))
+    values.reject(key, key + " must be x, y, z, -x, -y, -z or three numbers such as 1, 0, 1, or "
+                             "for a rotation rx, ry, rz, -rx, -ry or -rz.");
+  return {*direction, rotation};
+}
+
+void check_axis_keys(const parameters::Values &values, const MotionAxis &axis,
+                     std::initializer_list<const char *> of_displacements,
+                     std::initializer_list<const char *> of_rotations) {
+  for (const char *key : axis.rotation ? of_displacements : of_rotations)
+    if (values.given(key))
+      values.reject(key, std::string(key) + " must not be set when Direction is that of a " +
+                             (axis.rotation ? "rotation." : "displacement."));
+}
+
 } // namespace vibroimpact::model

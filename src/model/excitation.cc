@@ -14,6 +14,8 @@ namespace {
 parameters::Dimension amplitude_dimension(const std::string &type) {
   if (type == "force")
     return parameters::dimension::force;
+  if (type == "torque")
+    return parameters::dimension::torque;
   if (type == "base displacement")
     return parameters::dimension::length;
   return type == "base velocity" ? parameters::dimension::velocity
@@ -26,9 +28,11 @@ Given given_quantity(const std::string &type) {
   return type == "base velocity" ? Given::velocity : Given::displacement;
 }
 
-HistoryContext read_context(const parameters::Values &root, const parameters::Values &excitation) {
+HistoryContext read_context(const parameters::Values &root, const std::string &name,
+                            const parameters::Values &excitation) {
   const std::string type = excitation.choice("Type");
-  return {.type = type,
+  return {.name = name,
+          .type = type,
           .given = given_quantity(type),
           .moves_base = type.starts_with("base"),
           .dimension = amplitude_dimension(type),
@@ -85,17 +89,23 @@ void declare_excitations(parameters::Section &root) {
              "NAME HASH of the records that excitations read, separated by commas: files that "
              "must not have changed. A run enters them into the parameters it stores.");
   Section &excitation = root.named_subsection(
-      "Excitation", "A force at a point, a motion of the base, or gravity; all that act add up.");
+      "Excitation",
+      "A force or torque at a point, a motion of the base, or gravity; all that act add up.");
   excitation
-      .choice("Type", "base acceleration",
-              {"force", "base displacement", "base velocity", "base acceleration", "gravity"},
-              "The given quantity. Its amplitude stays constant when the frequency is swept.")
-      .text("At", "", "Point the force acts on, as BODY.POINT.")
-      .required("Type = force")
+      .choice(
+          "Type", "base acceleration",
+          {"force", "torque", "base displacement", "base velocity", "base acceleration", "gravity"},
+          "The given quantity. Its amplitude stays constant when the frequency is swept.")
+      .text("At", "", "Point the force or torque acts on, as BODY.POINT.")
+      .required("Type = force or torque")
       .names("Bodies", "", "Bodies that stand on the moving base or have weight; empty means all.")
-      .text("Direction", "x", "Direction of the force, motion or gravity: x, -y or three numbers.")
-      .quantity("Amplitude", "", dimension::any, range::any, "A",
-                "Amplitude, peak or constant value, in the unit of the type: N, m, m/s or m/s^2.")
+      .text("Direction", "x",
+            "Direction of the force, motion or gravity, or the axis about which a torque acts: x, "
+            "-y or "
+            "three numbers.")
+      .quantity(
+          "Amplitude", "", dimension::any, range::any, "A",
+          "Amplitude, peak or constant value, in the unit of the type: N, N m, m, m/s or m/s^2.")
       .required("Type = gravity or History = harmonic, ramped harmonic, sine sweep or constant")
       .quantity("Frequency", "", dimension::frequency, range::positive, "f",
                 "Frequency in Hz or rad/s; a sweep replaces it.")
@@ -114,9 +124,10 @@ void add_excitations(const parameters::Values &root, const std::vector<std::stri
       model.add_gravity(name, read_gravity(excitation), read_bodies(excitation, model), direction);
       continue;
     }
-    auto function = create_history(excitation, read_context(root, excitation));
-    if (type == "force")
-      model.add_force(name, std::move(function), read_point(excitation, model), direction);
+    auto function = create_history(excitation, read_context(root, name, excitation));
+    if (type == "force" || type == "torque")
+      model.add_force(name, std::move(function), read_point(excitation, model),
+                      {direction, type == "torque"});
     else
       model.add_base_motion(name, std::move(function), read_bodies(excitation, model), direction);
   }

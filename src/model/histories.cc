@@ -3,6 +3,7 @@
 #include "model/piecewise_function.h"
 #include "model/pulse.h"
 #include "model/ramped_harmonic.h"
+#include "model/random_history.h"
 #include "model/recorded_history.h"
 #include "model/sine_sweep.h"
 
@@ -46,6 +47,7 @@ const std::vector<HistoryEntry> &histories() {
       {"sine sweep", SineSweep::declare, SineSweep::create, {"Amplitude", "Phase"}},
       {"impulse", declare_pulse, create_pulse, {"Amplitude"}},
       {"recorded", declare_recorded, create_recorded, {}},
+      {"random", declare_random, create_random, {}},
       {"constant", nullptr, create_constant, {"Amplitude"}},
   };
   return list;

@@ -13,7 +13,8 @@ namespace vibroimpact::model {
 using TimeFunctionPointer = std::shared_ptr<const TimeFunction>;
 
 struct HistoryContext {
-  std::string type; ///< "force", "base velocity", as in the parameter file
+  std::string name{}; ///< of the excitation
+  std::string type;   ///< "force", "base velocity", as in the parameter file
   Given given = Given::displacement;
   bool moves_base = false; ///< then s'' acts, and must be finite
   parameters::Dimension dimension;

@@ -10,8 +10,8 @@ using reduction::ReducedBody;
 
 namespace {
 
-RowVector point_row(const BodyPoint &point, const Vector3 &direction) {
-  return direction.transpose() * point.rows.topRows(3);
+RowVector point_row(const BodyPoint &point, const MotionAxis &axis) {
+  return axis.direction.transpose() * point.rows.middleRows(axis.first_row(), 3);
 }
 
 // The multiple of mode `mode` (from 1) that moves the point by one unit along the direction.
@@ -30,12 +30,12 @@ Vector unit_mode(const parameters::Values &condition, const ReducedBody &body,
 }
 
 Vector unit_shape(const parameters::Values &condition, const ReducedBody &body,
-                  const BodyPoint &point, const Vector3 &direction) {
+                  const BodyPoint &point, const MotionAxis &axis) {
   const std::string shape = condition.choice("Shape");
   if (shape == "mode")
-    return unit_mode(condition, body, point_row(point, direction));
+    return unit_mode(condition, body, point_row(point, axis));
   try {
-    return static_deflection(body, point, direction, 1);
+    return static_deflection(body, point, axis, 1);
   } catch (const NumericalError &error) {
     condition.reject("Shape", std::string(error.what()) + " Use Shape = mode.");
   }
@@ -60,7 +60,8 @@ EquilibriumStart equilibrium_start(const parameters::Values &root,
       continue;
     if (start != EquilibriumStart::none)
       condition.reject("Shape", "Shape must be an equilibrium in one initial condition only.");
-    for (const char *unused : {"At", "Direction", "Displacement", "Velocity", "Mode"})
+    for (const char *unused :
+         {"At", "Direction", "Displacement", "Velocity", "Rotation", "Angular velocity", "Mode"})
       if (condition.given(unused))
         condition.reject(unused, std::string(unused) +
                                      " must not be set when Shape = " + condition.choice("Shape"));
@@ -69,9 +70,11 @@ EquilibriumStart equilibrium_start(const parameters::Values &root,
   return start;
 }
 
-Vector static_deflection(const ReducedBody &body, const BodyPoint &point, const Vector3 &direction,
+Vector static_deflection(const ReducedBody &body, const BodyPoint &point, const MotionAxis &axis,
                          double displacement) {
-  const RowVector row = point_row(point, direction);
+  const RowVector row = point_row(point, axis);
+  if ((row.array() != 0).count() == 1)
+    return (row.array() != 0).select(displacement / row.array(), 0).matrix().transpose();
   if (!((body.stiffness.array() > 0) || (row.transpose().array() == 0)).all())
     throw NumericalError("Body " + body.name +
                          " is free to move, so it has no static shape under a force.");
@@ -92,7 +95,9 @@ void declare_initial_conditions(parameters::Section &root) {
                                              "relative to its base. Several ones add up.")
       .text("At", "", "Point whose displacement and velocity are given, as BODY.POINT.")
       .required("Shape = static or mode")
-      .text("Direction", "x", "Direction they are counted along: x, -y or three numbers.")
+      .text("Direction", "x",
+            "Direction they are counted along: x, -y or three numbers; or rx, -ry and so on for a "
+            "rotation about it.")
       .choice("Shape", "static", {"static", "mode", "equilibrium", "free equilibrium"},
               "Shape of the body: under a static point force there, or one of its modes (the mass "
               "of a lumped body is a mode by itself). equilibrium: the whole model at rest under "
@@ -101,7 +106,11 @@ void declare_initial_conditions(parameters::Section &root) {
       .quantity("Displacement", "0 m", dimension::length, range::any, "u_0",
                 "Displacement of the point along the direction.")
       .quantity("Velocity", "0 m/s", dimension::velocity, range::any, "v_0",
-                "Velocity of the point along the direction.");
+                "Velocity of the point along the direction.")
+      .quantity("Rotation", "0 rad", dimension::angle, range::any, "\\theta_0",
+                "Rotation of the point, for a Direction such as rz.")
+      .quantity("Angular velocity", "0 rad/s", dimension::frequency, range::any, "\\omega_0",
+                "Of the point, for a Direction such as rz.");
 }
 
 InitialState read_initial_state(const parameters::Values &root,
@@ -121,11 +130,15 @@ InitialState read_initial_state(const parameters::Values &root,
     PointReference at;
     model.find_point(condition.text("At"), at);
     const ReducedBody &body = *model.bodies()[at.body];
-    const Vector shape =
-        unit_shape(condition, body, body.points[at.point], read_direction(condition, "Direction"));
+    const MotionAxis axis = read_motion_axis(condition, "Direction");
+    check_axis_keys(condition, axis, {"Displacement", "Velocity"},
+                    {"Rotation", "Angular velocity"});
+    const Vector shape = unit_shape(condition, body, body.points[at.point], axis);
     const Index first = model.offset(at.body);
-    state.displacement.segment(first, body.size()) += condition.quantity("Displacement") * shape;
-    state.velocity.segment(first, body.size()) += condition.quantity("Velocity") * shape;
+    state.displacement.segment(first, body.size()) +=
+        condition.quantity(axis.rotation ? "Rotation" : "Displacement") * shape;
+    state.velocity.segment(first, body.size()) +=
+        condition.quantity(axis.rotation ? "Angular velocity" : "Velocity") * shape;
   }
   return state;
 }

@@ -26,9 +26,11 @@ EquilibriumStart equilibrium_start(const parameters::Values &root,
                                    const std::vector<std::string> &names);
 
 /// Coordinates of a body in the static shape of a point force that moves the point by
-/// `displacement` along `direction`: q_j proportional to phi_j / k_j. NumericalError when the body
-/// is free to move as a rigid body or the force does not move the point.
+/// `displacement` along an axis, or of a torque that turns it about one:
+/// q_j proportional to phi_j / k_j; where a single coordinate moves the point, that one.
+/// NumericalError when the body is free to move as a rigid body or the force does not move the
+/// point.
 Vector static_deflection(const reduction::ReducedBody &body, const reduction::BodyPoint &point,
-                         const Vector3 &direction, double displacement);
+                         const MotionAxis &axis, double displacement);
 
 } // namespace vibroimpact::model

@@ -103,10 +103,10 @@ void Model::add_gravity(const std::string &name, std::shared_ptr<const TimeFunct
 }
 
 void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
-                      const PointReference &at, const Vector3 &direction) {
+                      const PointReference &at, const MotionAxis &axis) {
   sources_.push_back({.name = name,
                       .function = std::move(function),
-                      .load = displacement(at, direction, false).row.transpose(),
+                      .load = displacement(at, axis, false).row.transpose(),
                       .rate_load = Vector::Zero(size()),
                       .inertial_load = Vector::Zero(size())});
   carried_.emplace_back(bodies_.size(), Vector3::Zero());
@@ -290,16 +290,16 @@ std::vector<std::string> Model::point_names() const {
   return names;
 }
 
-Projection Model::displacement(const PointReference &point, const Vector3 &direction,
+Projection Model::displacement(const PointReference &point, const MotionAxis &axis,
                                bool absolute) const {
   const ReducedBody &body = *bodies_.at(point.body);
   Projection projection{.row = RowVector::Zero(size()),
                         .base_coefficients = std::vector<double>(sources_.size(), 0)};
   projection.row.segment(offsets_[point.body], body.size()) =
-      direction.transpose() * body.points.at(point.point).rows.topRows(3);
-  if (absolute)
+      axis.direction.transpose() * body.points.at(point.point).rows.middleRows(axis.first_row(), 3);
+  if (absolute && !axis.rotation)
     for (std::size_t k = 0; k < sources_.size(); ++k)
-      projection.base_coefficients[k] = carried_[k][point.body].dot(direction);
+      projection.base_coefficients[k] = carried_[k][point.body].dot(axis.direction);
   return projection;
 }
 

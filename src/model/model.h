@@ -9,6 +9,7 @@
 #pragma once
 
 #include "common/linear_algebra.h"
+#include "model/motion_axis.h"
 #include "model/projection.h"
 #include "model/rotor.h"
 #include "model/time_function.h"
@@ -61,13 +62,15 @@ struct Source {
 };
 
 /// A spring and a dashpot along a direction; tension k e + k3 e^3 + c e' pulls the ends together.
+/// Or about a direction: e is then a relative rotation, the tension a torque.
 struct Connection {
   std::string name;
   std::string side_a, side_b; ///< "body.point"; side_b may be "base" or "ground"
-  Projection elongation;      ///< (u_b - u_a) . n [m]
-  double stiffness = 0;       ///< k [N/m]
-  double cubic_stiffness = 0; ///< k3 [N/m^3]
-  double damping = 0;         ///< c [N s/m]
+  Projection elongation;      ///< (u_b - u_a) . n [m], of rotations [rad]
+  double stiffness = 0;       ///< k [N/m], of rotations [N m/rad]
+  double cubic_stiffness = 0; ///< k3 [N/m^3]; none of rotations
+  double damping = 0;         ///< c [N s/m], of rotations [N m s/rad]
+  bool rotation = false;
 
   double tension(double elongation_now, double rate) const {
     return stiffness * elongation_now +
@@ -92,9 +95,9 @@ public:
   /// The field s(t) [m/s^2] pulls at all masses of `bodies` along `direction` (unit vector).
   void add_gravity(const std::string &name, std::shared_ptr<const TimeFunction> function,
                    const std::vector<std::size_t> &bodies, const Vector3 &direction);
-  /// The force s(t) [N] acts at a point along `direction` (unit vector).
+  /// The force s(t) [N] acts at a point along an axis, or the torque s(t) [N m] about it.
   void add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
-                 const PointReference &at, const Vector3 &direction);
+                 const PointReference &at, const MotionAxis &axis);
 
   /// Sources must be complete before connections and rotors are added.
   void add_connection(Connection connection);
@@ -163,9 +166,9 @@ public:
   std::vector<std::string> point_names() const;
   std::string point_name(const PointReference &reference) const;
 
-  /// Displacement of a point along `direction`, absolute (with the base) or relative to the base.
-  Projection displacement(const PointReference &point, const Vector3 &direction,
-                          bool absolute) const;
+  /// Displacement of a point along an axis, absolute (with the base) or relative to the base; or
+  /// its rotation about the axis, for no base turns.
+  Projection displacement(const PointReference &point, const MotionAxis &axis, bool absolute) const;
 
   /// Base displacement of a body at a time: 3 components [m].
   Vector3 base_displacement(std::size_t body, double time) const;

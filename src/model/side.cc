@@ -30,27 +30,27 @@ Sides read_sides(const parameters::Values &section, const std::vector<std::strin
 }
 
 Projection relative_displacement(const PointReference &a, const std::optional<PointReference> &b,
-                                 bool absolute, const Vector3 &direction, const Model &model) {
-  Projection difference = model.displacement(a, direction, absolute);
+                                 bool absolute, const MotionAxis &axis, const Model &model) {
+  Projection difference = model.displacement(a, axis, absolute);
   difference.row *= -1;
   for (double &base_coefficients : difference.base_coefficients)
     base_coefficients *= -1;
   if (!b)
     return difference;
-  const Projection other = model.displacement(*b, direction, true);
+  const Projection other = model.displacement(*b, axis, true);
   difference.row += other.row;
   for (std::size_t k = 0; k < difference.base_coefficients.size(); ++k)
     difference.base_coefficients[k] += other.base_coefficients[k];
   return difference;
 }
 
-Projection relative_displacement(const Sides &sides, const Vector3 &direction, const Model &model) {
+Projection relative_displacement(const Sides &sides, const MotionAxis &axis, const Model &model) {
   PointReference a;
   model.find_point(sides.a, a);
   PointReference b;
   const bool two_points = model.find_point(sides.b, b);
   return relative_displacement(a, two_points ? std::optional(b) : std::nullopt,
-                               sides.b != side_base, direction, model);
+                               sides.b != side_base, axis, model);
 }
 
 } // namespace vibroimpact::model

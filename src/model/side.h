@@ -30,13 +30,13 @@ Sides read_sides(const parameters::Values &section, const std::vector<std::strin
 Sides read_sides(const parameters::Values &section, const std::vector<std::string> &fixed,
                  const Model &model);
 
-/// (u_b - u_a) . direction of two points, or of one and a place that is fixed in space (`absolute`)
-/// or on the base of the first.
+/// (u_b - u_a) . n along an axis n, or the rotation about it, of two points, or of one and a place
+/// that is fixed in space (`absolute`) or on the base of the first.
 Projection relative_displacement(const PointReference &a, const std::optional<PointReference> &b,
-                                 bool absolute, const Vector3 &direction, const Model &model);
+                                 bool absolute, const MotionAxis &axis, const Model &model);
 
-/// (u_b - u_a) . direction as a projection of the motion: absolute displacements, or relative to
+/// The same as a projection of the motion: absolute displacements, or relative to
 /// the base where the second end is the base.
-Projection relative_displacement(const Sides &sides, const Vector3 &direction, const Model &model);
+Projection relative_displacement(const Sides &sides, const MotionAxis &axis, const Model &model);
 
 } // namespace vibroimpact::model

@@ -220,7 +220,9 @@ SummaryList FileSink::summary(const std::vector<StoredAnalysis> &analyses,
 
 void FileSink::write_motion(const StoredPoints &points) {
   points.visit([this](const PointResult &point) {
-    const std::string name = header_.name + index_suffix(point.index);
+    // The modes of the bodies are in modes.pvd, and a modal analysis is often called modes too.
+    const std::string name =
+        header_.name + (header_.type == "modal" ? "-system" : "") + index_suffix(point.index);
     if (!point.motion.empty() && !point.motion[0].time.empty())
       write_motion_files(folder_, name, bodies_, outlines_, point.motion[0]);
     if (point.motion.size() > 1)

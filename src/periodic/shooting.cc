@@ -2,6 +2,7 @@
 
 #include "common/decompositions.h"
 #include "common/error.h"
+#include "model/assembled_system.h"
 
 #include <cmath>
 #include <sstream>
@@ -60,7 +61,7 @@ private:
     const Vector step =
         solve_fully_pivoted(matrix, s.asDiagonal() * (point_.image.state - point_.state));
     if (!step.allFinite())
-      fail("where a multiplier is 1");
+      fail("where a multiplier is 1" + model::unheld_motions(map_.system().model()));
     return step.cwiseQuotient(s);
   }
 

@@ -79,7 +79,8 @@ void declare_support(Section &body) {
 
 void declare_point(Section &body) {
   Section &point = body.named_subsection(
-      "Point", "A named node: it can be touched, pushed and observed, and carry a lumped mass.");
+      "Point", "A named node: it can be touched, pushed and observed, and carry a lumped mass. "
+               "Or a place that a mass of a lumped body carries.");
   declare_place(point);
   point.quantity("Mass", "0 kg", dimension::mass, range::non_negative, "m", "Lumped mass.")
       .quantities("Rotary inertia", "", dimension::rotary_inertia, range::non_negative, "J",
@@ -89,6 +90,10 @@ void declare_point(Section &body) {
       .quantities("Offset", "", dimension::length, range::any, "",
                   "From the node to the centre of the lumped mass along x, y, z: a rigid arm. The "
                   "point itself stays at the node.",
+                  3, 3)
+      .quantities("Arm", "0 m, 0 m, 0 m", dimension::length, range::any, "r",
+                  "Of a lumped body: from the centre of the mass that At names to the point, along "
+                  "x, y, z. Where the mass turns, the point moves by u + theta x r.",
                   3, 3);
   declare_modal_point(point);
 }
@@ -196,12 +201,25 @@ void declare_mass(Section &body) {
   Section &mass =
       body.named_subsection("Mass", "A mass of a lumped body; it is also a point of that name.");
   mass.quantity("Mass", "", dimension::mass, range::positive, "m", "Of the point.")
-      .required()
-      .names("Axis", "x", "Directions of motion: any of x, y, z; a coordinate for each.")
+      .required("Axis names x, y or z")
+      .names("Axis", "x",
+             "How it moves: along any of x, y, z, and turns about axes along these, rx, ry, rz; a "
+             "coordinate for each.")
       .quantity("Stiffness", "0 N/m", dimension::stiffness, range::non_negative, "k",
                 "Spring to the base along each axis.")
       .quantity("Damping", "0 N s/m", dimension::damping, range::non_negative, "c",
                 "Dashpot to the base along each axis.")
+      .quantities("Rotary inertia", "", dimension::rotary_inertia, range::positive, "J",
+                  "About an axis through the centre: one value for all, or three about x, y, z.", 1,
+                  3)
+      .required("Axis names rx, ry or rz")
+      .quantity("Rotational stiffness", "0 N m", dimension::rotational_stiffness,
+                range::non_negative, "k_\\theta", "Spring to the base about each axis [N m/rad].")
+      .quantity("Rotational damping", "0 N m s", dimension::rotational_damping, range::non_negative,
+                "c_\\theta", "Dashpot to the base about each axis.")
+      .quantity("Damping ratio", "", dimension::none, range::non_negative, "\\zeta",
+                "Instead of both dashpots: of each coordinate by itself on its spring to the base, "
+                "c = 2 zeta sqrt(k m).")
       .quantities("Position", "0 m, 0 m, 0 m", dimension::length, range::any, "",
                   "Where it stands in figures.", 3, 3);
 }

@@ -28,15 +28,31 @@ struct Damping {
   double viscous_constant = 0;              ///< of the whole body [N s/m]
 };
 
-/// One mass of a lumped body: moves along its axes, held to the base by the same spring and dashpot
-/// along each.
+/// A spring and a dashpot to the base.
+struct Mount {
+  double stiffness = 0; ///< [N/m], of rotations [N m/rad]
+  double damping = 0;   ///< [N s/m], of rotations [N m s/rad]
+};
+
+/// One mass of a lumped body: moves along its axes and turns about others, held to the base by the
+/// same mount along each, and by another one about each.
 struct LumpedMass {
   std::string name;
-  double mass = 0;                    ///< [kg]
-  std::vector<int> axes{0};           ///< 0, 1, 2 for x, y, z; a coordinate for each
-  double stiffness = 0;               ///< [N/m]
-  double damping = 0;                 ///< [N s/m]
+  double mass = 0; ///< [kg]; 0 for one that only turns
+  std::vector<int> axes{
+      0}; ///< 0, 1, 2 for x, y, z, then rotations about them; a coordinate for each
+  Mount mount{};
   Vector3 position = Vector3::Zero(); ///< [m]
+  Vector3 inertia = Vector3::Zero();  ///< about axes along x, y, z through its centre [kg m^2]
+  Mount rotational_mount{};
+  std::optional<double> damping_ratio{}; ///< of each coordinate by itself, instead of dashpots
+};
+
+/// A place that a mass of a lumped body carries.
+struct LumpedPoint {
+  std::string name;
+  std::string mass;
+  Vector3 arm = Vector3::Zero(); ///< from the centre of the mass [m]
 };
 
 /// The rotation of a rotor.
@@ -59,6 +75,7 @@ struct BodyDefinition {
   std::vector<Attachment> attachments;
   Damping damping;
   std::vector<LumpedMass> masses;
+  std::vector<LumpedPoint> lumped_points;
   RotorDefinition rotor;
   ModalDefinition modal;
 };

@@ -2,6 +2,7 @@
 
 #include "reduction/beam_parameters.h"
 #include "reduction/body_sections.h"
+#include "reduction/lumped_parameters.h"
 #include "reduction/matrix_parameters.h"
 #include "reduction/modal_parameters.h"
 #include "reduction/shell_parameters.h"
@@ -78,27 +79,6 @@ void read_modes(const Values &body, BodyDefinition &definition) {
   if (section.choice("Reduction") == "fixed interface")
     definition.reduction = BodyDefinition::Reduction::fixed_interface;
   definition.damping = read_damping(section);
-}
-
-std::vector<int> read_axes(const Values &section) {
-  std::vector<int> axes;
-  for (const std::string &name : section.names("Axis")) {
-    section.require_known("Axis", name, {"x", "y", "z"});
-    axes.push_back(name[0] - 'x');
-  }
-  if (axes.empty())
-    section.reject("Axis", "must name at least one of x, y, z");
-  return axes;
-}
-
-LumpedMass read_mass(const Values &section, const std::string &name) {
-  section.require("Mass");
-  return {.name = name,
-          .mass = section.quantity("Mass"),
-          .axes = read_axes(section),
-          .stiffness = section.quantity("Stiffness"),
-          .damping = section.quantity("Damping"),
-          .position = vector3(section, "Position")};
 }
 
 // A body of this type uses none of the sections `fixed` and `named`.
@@ -198,10 +178,9 @@ void read_lumped(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
   refuse(body,
          {"Geometry", "Section", "Material", "Modes", "Modal data", "Rotor", "Motor", "Matrices"},
-         {"Support", "Point", "Rigid link", "Interface", "Member", "Hinge", "Shell", "Stiffener",
-          "Solid", "Load"});
-  for (const std::string &name : body.instances("Mass"))
-    definition.masses.push_back(read_mass(body.instance("Mass", name), name));
+         {"Support", "Rigid link", "Interface", "Member", "Hinge", "Shell", "Stiffener", "Solid",
+          "Load"});
+  read_lumped_masses(body, definition);
 }
 
 void read_modal(const Values &body, const std::string &folder, BodyDefinition &definition) {

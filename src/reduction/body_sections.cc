@@ -209,6 +209,8 @@ void check_inertia(const Values &section, const structure::Point &point) {
 } // namespace
 
 structure::Point read_point(const Values &section, const std::string &name) {
+  if (section.given("Arm"))
+    section.reject("Arm", "must not be set when the body is not lumped");
   structure::Point point{.name = name, .at = read_place(section), .mass = section.quantity("Mass")};
   if (section.has("Rotary inertia"))
     point.rotary_inertia = vector3(section, "Rotary inertia");

@@ -77,7 +77,8 @@ std::vector<std::string> modal_point_keys() { return {"Static stiffness", "Resid
 namespace {
 
 ModalPoint read_modal_point(const Values &section, const std::string &name) {
-  for (const char *key : {"At", "Near", "Mass", "Rotary inertia", "Products of inertia", "Offset"})
+  for (const char *key :
+       {"At", "Near", "Mass", "Rotary inertia", "Products of inertia", "Offset", "Arm"})
     if (section.given(key))
       section.reject(key, "must not be set when Type = modes");
   if (section.has("Static stiffness") && section.has("Residual flexibility"))

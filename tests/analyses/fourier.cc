@@ -1,5 +1,5 @@
 // Transforms and order amplitudes against signals whose Fourier series are known.
-#include "analyses/signals/fourier.h"
+#include "common/fourier.h"
 
 #include "analyses/signals/order_integrals.h"
 

@@ -2,8 +2,10 @@
 #include "analyses/sweeps/frequency_response.h"
 
 #include "common/error.h"
+#include "model/side.h"
 #include "support/lumped_models.h"
 #include "support/points.h"
+#include "support/recorded_windows.h"
 
 #include <gtest/gtest.h>
 
@@ -110,6 +112,47 @@ TEST(FrequencyResponseTest, AnUndampedResonanceFailsWithAReason) {
 TEST(FrequencyResponseTest, NoExcitationIsRefused) {
   const FrequencyResponse analysis({.frequencies = {1}, .excitation = ""});
   EXPECT_THROW(analysis.check(oscillator()), InputError);
+}
+
+// A block on a shaken base and one on the floor, joined along x by a contact that is tied: they
+// move as one where both are pushed, and as the base and the floor have it where that shakes.
+System joined(bool shaken) {
+  Model model({testing::single_mass("one", 2, 800, 3), testing::single_mass("other", 5, 300, 1)});
+  if (shaken)
+    model.add_base_motion("shaker", harmonic(Given::displacement, 0.01), {0}, Vector3::UnitX());
+  else
+    model.add_force("push", harmonic(Given::displacement, 5), {}, Vector3::UnitX());
+  System system = testing::system_of(std::move(model));
+  return system;
+}
+
+testing::Points tied_response(const System &system, double frequency) {
+  const PointReference one{.body = 0}, other{.body = 1};
+  const auto tied = [&](const System &of) {
+    return std::vector{relative_displacement(one, other, true, Vector3::UnitX(), of.model)};
+  };
+  testing::Points points;
+  System copy = system;
+  FrequencyResponse({.frequencies = {frequency}, .excitation = "", .tied = tied})
+      .run_line(0, copy, points);
+  return points;
+}
+
+// (1100 - 7 w^2 + 4 i w) u = F, or of u in space with the springs' forces from the moving base.
+TEST(FrequencyResponseTest, TiedSidesMoveTogether) {
+  const double frequency = 1.7, w = 2 * pi * frequency;
+  const std::complex<double> dynamic(1100 - 7 * w * w, 4 * w);
+  const testing::Points pushed = tied_response(joined(false), frequency);
+  const double amplitude = 5 / std::abs(dynamic);
+  for (const std::string point : {"one", "other"})
+    EXPECT_NEAR(pushed.values({}, "point/" + point + ".head/displacement_x/amplitude")[0],
+                amplitude, 1e-13 * amplitude);
+  const testing::Points shaken = tied_response(joined(true), frequency);
+  const double moved = std::abs(std::complex<double>(800, 3 * w) / dynamic) * 0.01;
+  EXPECT_NEAR(shaken.values({}, "point/one.head/absolute_displacement_x/amplitude")[0], moved,
+              1e-13 * moved);
+  EXPECT_NEAR(shaken.values({}, "point/other.head/displacement_x/amplitude")[0], moved,
+              1e-13 * moved);
 }
 
 } // namespace frequency_response_tests

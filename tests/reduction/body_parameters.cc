@@ -71,7 +71,7 @@ TEST(BodyParameters, ALumpedBodyIsRead) {
   ASSERT_EQ(body.masses.size(), 1U);
   EXPECT_EQ(body.masses[0].name, "ball");
   EXPECT_EQ(body.masses[0].axes, std::vector<int>{2});
-  EXPECT_DOUBLE_EQ(body.masses[0].stiffness, 8);
+  EXPECT_DOUBLE_EQ(body.masses[0].mount.stiffness, 8);
   EXPECT_EQ(body.masses[0].position, Vector3(1, 2, 3));
 }
 
@@ -143,7 +143,7 @@ TEST(BodyParameters, ModesErrorsAreClear) {
 TEST(BodyParameters, LumpedErrorsAreClear) {
   expect_message(lumped(""), {"Body left", "Mass"});
   expect_message(lumped(section("Mass ball", "set Axis = x\n")), {"Mass ball", "Mass"});
-  expect_message(lumped(section("Point tip", "set At = end\n")), {"Type", "Point"});
+  expect_message(lumped(section("Point tip", "set At = end\n")), {"Type", "Mass"});
   expect_message(head_beam(section("Mass ball", "set Mass = 1 kg\n")), {"Type", "Mass"});
 }
 

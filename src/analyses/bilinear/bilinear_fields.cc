@@ -2,7 +2,7 @@
 
 #include "analyses/recorders/observables.h"
 #include "analyses/results/fields.h"
-#include "analyses/signals/fourier.h"
+#include "common/fourier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Signal {
 std::vector<Signal> signals_of(const System &system, const TiedSystem &tied) {
   std::vector<Signal> signals;
   const ObservedSelection displacements{
-      .points = {}, .kinds = {"displacement", "absolute_displacement", "elongation"}};
+      .points = {}, .kinds = {"displacement", "absolute_displacement", "rotation", "elongation"}};
   for (const Observable &observed : point_observables(system.model, displacements))
     signals.push_back({observed.path, observed.unit, observed.meaning,
                        tied.form(std::get<motion::PointForm>(observed.form).projection)});

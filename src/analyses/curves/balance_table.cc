@@ -62,7 +62,7 @@ PointResult BalanceTable::values_of(const continuation::BranchPoint &point) cons
 void BalanceTable::add_points(const HarmonicMotion &motion, const LeftOut &left,
                               const FieldWriter &row) const {
   const ObservedSelection displacements{
-      .points = {}, .kinds = {"displacement", "absolute_displacement", "elongation"}};
+      .points = {}, .kinds = {"displacement", "absolute_displacement", "rotation", "elongation"}};
   for (const Observable &observed : point_observables(system_.system().model, displacements)) {
     const model::Projection &projection = std::get<motion::PointForm>(observed.form).projection;
     add_observed(observed, system_.balance().observed(projection, motion.coordinates),

@@ -1,6 +1,6 @@
 #include "analyses/design/population.h"
 
-#include "analyses/design/uniform_numbers.h"
+#include "common/uniform_numbers.h"
 
 #include <algorithm>
 #include <cmath>

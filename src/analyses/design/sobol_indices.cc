@@ -1,7 +1,7 @@
 #include "analyses/design/sobol_indices.h"
 
-#include "analyses/design/uniform_numbers.h"
 #include "common/scalar.h"
+#include "common/uniform_numbers.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The quantities a motion is observed by: displacement, velocity and acceleration of every named
-// point along the axes it can move, gap and force of every contact.
+// point along the axes it can move, rotation of every mass that turns.
 //
 // Displacements and velocities are relative to the base the body stands on, accelerations are
 // absolute, as is usual for shaken structures.
@@ -16,8 +16,9 @@ namespace vibroimpact::analyses {
 struct Channel {
   std::string point; ///< "body.point"
   char axis = 'x';
-  model::Projection relative; ///< displacement relative to the base
-  model::Projection absolute; ///< displacement in space
+  model::Projection relative; ///< displacement relative to the base, or rotation
+  model::Projection absolute; ///< displacement in space, or rotation
+  bool rotation = false;      ///< about the axis
 
   /// Does a moving base carry the point along this axis?
   bool carried() const {
@@ -27,7 +28,8 @@ struct Channel {
 };
 
 /// All points of the model but those of interfaces, whose contacts are observed, along all axes on
-/// which some coordinate moves them by more than 1e-12 of the point's largest value.
+/// which some coordinate moves them by more than 1e-12 of the point's largest value; and the
+/// rotations that are coordinates of lumped bodies.
 std::vector<Channel> observed_channels(const model::Model &model);
 
 } // namespace vibroimpact::analyses

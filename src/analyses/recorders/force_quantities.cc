@@ -107,8 +107,8 @@ BaseForce base_force(const Model &model, std::size_t b, int axis) {
 std::vector<Observable> connection_forces(const Model &model) {
   std::vector<Observable> list;
   for (const Connection &connection : model.connections())
-    list.push_back({"connection/" + connection.name + "/force", "force", "N",
-                    "tension, > 0 pulls the ends together",
+    list.push_back({"connection/" + connection.name + "/force", "force",
+                    connection.rotation ? "N m" : "N", "tension, > 0 pulls the ends together",
                     [connection](const StepView &view) { return tension(connection, view); }});
   return list;
 }

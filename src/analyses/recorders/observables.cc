@@ -23,8 +23,15 @@ void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &li
   const auto add = [&](const char *kind, const char *unit, const char *meaning,
                        const model::Projection &projection, int order) {
     list.push_back({"point/" + channel.point + "/" + kind + "_" + channel.axis, kind, unit, meaning,
-                    motion::PointForm{projection, order}, std::string(" along ") + channel.axis});
+                    motion::PointForm{projection, order},
+                    std::string(channel.rotation ? " about " : " along ") + channel.axis});
   };
+  if (channel.rotation) {
+    add("rotation", "rad", "rotation", channel.relative, 0);
+    add("angular_velocity", "rad/s", "angular velocity", channel.relative, 1);
+    add("angular_acceleration", "rad/s^2", "angular acceleration", channel.absolute, 2);
+    return;
+  }
   add("displacement", "m", "displacement relative to the base", channel.relative, 0);
   if (fixed || channel.carried())
     add("absolute_displacement", "m", "displacement in space", channel.absolute, 0);
@@ -33,14 +40,21 @@ void add_channel(const Channel &channel, bool fixed, std::vector<Observable> &li
 }
 
 void add_connection(const model::Connection &connection, std::vector<Observable> &list) {
-  const auto add = [&](const char *kind, const char *unit, const char *meaning, int order) {
-    list.push_back({"connection/" + connection.name + "/" + kind, kind, unit, meaning,
+  const auto add = [&](const char *kind, const char *unit, const std::string &meaning,
+                       const char *of, int order) {
+    list.push_back({"connection/" + connection.name + "/" + kind, kind, unit, meaning + of,
                     motion::PointForm{connection.elongation, order}});
   };
-  add("elongation", "m", "displacement of the second end relative to the first", 0);
-  add("elongation_rate", "m/s", "velocity of the second end relative to the first", 1);
-  add("elongation_acceleration", "m/s^2", "acceleration of the second end relative to the first",
-      2);
+  const char *second = " of the second end relative to the first";
+  if (connection.rotation) {
+    add("elongation", "rad", "rotation", second, 0);
+    add("elongation_rate", "rad/s", "angular velocity", second, 1);
+    add("elongation_acceleration", "rad/s^2", "angular acceleration", second, 2);
+    return;
+  }
+  add("elongation", "m", "displacement", second, 0);
+  add("elongation_rate", "m/s", "velocity", second, 1);
+  add("elongation_acceleration", "m/s^2", "acceleration", second, 2);
 }
 
 void add_friction(const contact::ContactSet &contacts, std::size_t c,
@@ -217,6 +231,9 @@ const std::vector<std::string> quantity_kinds = {"displacement",
                                                  "absolute_displacement",
                                                  "velocity",
                                                  "acceleration",
+                                                 "rotation",
+                                                 "angular_velocity",
+                                                 "angular_acceleration",
                                                  "elongation",
                                                  "elongation_rate",
                                                  "elongation_acceleration",
@@ -266,13 +283,15 @@ void declare_selection_of_quantities(parameters::Section &section,
     list += ", " + kind;
   section.names("Points", "all", "Points that are observed: all, or their names as BODY.POINT.")
       .names("Connections", "all", "Connections whose elongation is observed: all, or their names.")
-      .names("Quantities", "all",
-             "What is observed: all, or some of" + list.substr(1) +
-                 ". elongation: displacement of the two ends of a connection relative to each "
-                 "other, with its rate and acceleration; place: the two coordinates in a circular "
-                 "gap; stop: internal states of contact "
-                 "laws, such as the deformation of a stop; "
-                 "rotor: speed, torque and current.");
+      .names(
+          "Quantities", "all",
+          "What is observed: all, or some of" + list.substr(1) +
+              ". rotation: of masses of lumped bodies; elongation: displacement of the two ends of "
+              "a connection relative to each other, with its rate and acceleration; place: the two "
+              "coordinates in a circular "
+              "gap; stop: internal states of contact "
+              "laws, such as the deformation of a stop; "
+              "rotor: speed, torque and current.");
 }
 
 ObservedSelection read_selection_of_quantities(const parameters::Values &section,
@@ -305,7 +324,8 @@ void declare_signals(parameters::Section &section) {
   section
       .choice("Quantity", "displacement", {"displacement", "velocity", "acceleration"},
               "What is observed at the points: displacement or velocity relative to the base, or "
-              "absolute acceleration; of connections the elongation or its derivatives.")
+              "absolute acceleration, or the rotation of masses that turn and its derivatives; of "
+              "connections the elongation or its derivatives.")
       .names("Contacts", "none",
              "Contacts whose normal force is observed: all, none, or their names.");
 }

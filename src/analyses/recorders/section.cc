@@ -19,10 +19,12 @@ constexpr std::size_t period_section = 0;
 
 SectionRecorder::SectionRecorder(const System &system, SectionSettings settings)
     : model_(system.model), settings_(std::move(settings)),
-      observables_(settings_.observed.empty()
-                       ? point_observables(system.model,
-                                           {.points = {}, .kinds = {"displacement", "velocity"}})
-                       : settings_.observed) {
+      observables_(
+          settings_.observed.empty()
+              ? point_observables(system.model, {.points = {},
+                                                 .kinds = {"displacement", "velocity", "rotation",
+                                                           "angular_velocity"}})
+              : settings_.observed) {
   new_section("period", "sample_period", "at the end of a forcing period");
   for (const std::size_t c : settings_.onsets) {
     const std::string &name = system.contacts.pairs()[c].name;

@@ -1,7 +1,7 @@
 #include "analyses/recorders/spectrum.h"
 
 #include "analyses/results/fields.h"
-#include "analyses/signals/fourier.h"
+#include "common/fourier.h"
 
 #include <algorithm>
 #include <numbers>

@@ -6,6 +6,8 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 
 namespace vibroimpact::analyses {
 
@@ -13,12 +15,33 @@ namespace {
 
 constexpr const char *grid_section = "Parameter grid";
 
-// Equally spaced values as expressions of the two ends, so that any unit will do.
+/// A text that is a whole number without a unit.
+std::optional<long> whole_number(const std::string &text) {
+  long number = 0;
+  const char *const end = text.data() + text.size();
+  const auto [behind, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && behind == end ? std::optional(number) : std::nullopt;
+}
+
+// Number i of so many values from one whole number to another, where it is one too.
+std::optional<long> whole_between(const std::string &first, const std::string &last, long points,
+                                  long i) {
+  const std::optional<long> low = whole_number(first), high = whole_number(last);
+  if (!low || !high || (*high - *low) * i % (points - 1) != 0)
+    return std::nullopt;
+  return *low + (*high - *low) * i / (points - 1);
+}
+
+// Equally spaced values as expressions of the two ends, so that any unit will do; whole numbers as
+// themselves, for keys that take no others.
 std::vector<std::string> between(const std::string &first, const std::string &last, long points) {
   std::vector<std::string> values = {first};
   for (long i = 1; i + 1 < points; ++i)
-    values.push_back("(" + first + ") + " + std::to_string(i) + " / " + std::to_string(points - 1) +
-                     " * ((" + last + ") - (" + first + "))");
+    if (const std::optional<long> whole = whole_between(first, last, points, i))
+      values.push_back(std::to_string(*whole));
+    else
+      values.push_back("(" + first + ") + " + std::to_string(i) + " / " +
+                       std::to_string(points - 1) + " * ((" + last + ") - (" + first + "))");
   values.push_back(last);
   return values;
 }

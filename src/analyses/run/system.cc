@@ -2,6 +2,7 @@
 
 #include "common/error.h"
 #include "contact/contact_sections.h"
+#include "model/assembled_system.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/rotor_parameters.h"
@@ -37,7 +38,8 @@ ContactSet start_in_equilibrium(EquilibriumStart start, const model::Model &mode
     equilibrium =
         motion::static_equilibrium(model, with_contacts ? contacts : none, model.static_load());
   } catch (const NumericalError &error) {
-    throw InputError(std::string("The motion cannot start from its equilibrium: ") + error.what());
+    throw InputError(std::string("The motion cannot start from its equilibrium: ") + error.what() +
+                     model::unheld_motions(model));
   }
   initial.displacement += equilibrium.displacement;
   std::vector<contact::ContactPair> pairs = contacts.pairs();

@@ -1,6 +1,6 @@
 #include "analyses/signals/wavelet.h"
 
-#include "analyses/signals/fourier.h"
+#include "common/fourier.h"
 #include "common/zero.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>

@@ -5,7 +5,6 @@
 #include "analyses/recorders/observables.h"
 #include "analyses/results/fields.h"
 #include "analyses/run/single_point.h"
-#include "analyses/sweeps/linear_response.h"
 #include "common/error.h"
 #include "common/zero.h"
 
@@ -65,7 +64,7 @@ void FrequencyResponse::declare(parameters::Section &analysis) {
   analysis
       .subsection(frequency_response_section,
                   "Exact steady response of the linear model to a harmonic "
-                  "excitation, as if no contact could close.")
+                  "excitation, as if no contact could close, or some could not open.")
       .quantity("First frequency", "", dimension::frequency, range::positive, "f_1",
                 "Lowest frequency.")
       .required()
@@ -77,20 +76,25 @@ void FrequencyResponse::declare(parameters::Section &analysis) {
       .text("Excitation", "",
             "Excitation whose response is computed; empty when only one has a period. The others "
             "do not act.");
+  declare_tied_contacts(analysis.subsection(frequency_response_section, ""));
 }
 
 std::shared_ptr<const Analysis> FrequencyResponse::create(const parameters::Values &analysis) {
   const parameters::Values values = analysis.subsection(frequency_response_section);
-  return std::make_shared<FrequencyResponse>(
-      Settings{.frequencies = read_frequencies(values), .excitation = values.text("Excitation")});
+  return std::make_shared<FrequencyResponse>(Settings{.frequencies = read_frequencies(values),
+                                                      .excitation = values.text("Excitation"),
+                                                      .tied = read_tied_contacts(values)});
 }
 
-void FrequencyResponse::check(const System &system) const {
-  const LinearResponse response(system.model, sweep_source(system, settings_.excitation));
+LinearResponse FrequencyResponse::response(const System &system) const {
+  return {system.model, sweep_source(system, settings_.excitation),
+          settings_.tied ? settings_.tied(system) : std::vector<model::Projection>{}};
 }
+
+void FrequencyResponse::check(const System &system) const { response(system); }
 
 PointResult FrequencyResponse::compute(const System &system, LineContext &context) const {
-  const LinearResponse response(system.model, sweep_source(system, settings_.excitation));
+  const LinearResponse response = this->response(system);
   const auto at = [&](double frequency) { return response.at(2 * std::numbers::pi * frequency); };
   std::vector<ComplexAmplitudes> motions;
   const auto share = [&] {

@@ -1,5 +1,5 @@
-// Steady response of the model without contacts to one harmonic excitation, exact at each
-// frequency.
+// Steady response of the model, its contacts open or tied, to one harmonic excitation, exact at
+// each frequency.
 //
 // The excitation is s(t) = Im(S exp(i w t)). With diag(mass) M, damping C and stiffness K the
 // coordinates follow as q(t) = Im(Q exp(i w t)),
@@ -13,6 +13,8 @@
 #pragma once
 
 #include "analyses/analysis.h"
+#include "analyses/sweeps/linear_response.h"
+#include "analyses/sweeps/tied_contacts.h"
 
 namespace vibroimpact::analyses {
 
@@ -21,6 +23,7 @@ public:
   struct Settings {
     std::vector<double> frequencies; ///< increasing [Hz]
     std::string excitation;          ///< empty: the only one
+    TiedContacts tied = {};          ///< none: all are open
   };
   explicit FrequencyResponse(Settings settings) : settings_(std::move(settings)) {}
 
@@ -33,6 +36,7 @@ public:
   void run_line(std::size_t line, System &system, LineContext &context) const override;
 
 private:
+  LinearResponse response(const System &system) const;
   PointResult compute(const System &system, LineContext &context) const;
 
   Settings settings_;

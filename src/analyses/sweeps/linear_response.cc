@@ -1,5 +1,6 @@
 #include "analyses/sweeps/linear_response.h"
 
+#include "analyses/sweeps/tied_contacts.h"
 #include "common/decompositions.h"
 #include "common/error.h"
 
@@ -12,9 +13,17 @@ namespace {
 using ComplexAmplitude = std::complex<double>;
 constexpr ComplexAmplitude i(0, 1);
 
+ComplexVector solved(const ComplexMatrix &dynamic, const ComplexVector &load) {
+  const LuFactors<ComplexMatrix> factors(dynamic);
+  if (!(factors.reciprocal_condition() > std::numeric_limits<double>::epsilon()))
+    throw NumericalError("the response without damping is unbounded at this frequency");
+  return factors.solve(load);
+}
+
 } // namespace
 
-LinearResponse::LinearResponse(const model::Model &model, std::size_t source)
+LinearResponse::LinearResponse(const model::Model &model, std::size_t source,
+                               const std::vector<model::Projection> &tied)
     : model_(model), source_(source), stiffness_(model.stiffness().dense()),
       damping_(model.damping().dense()) {
   if (!model.linear())
@@ -24,6 +33,18 @@ LinearResponse::LinearResponse(const model::Model &model, std::size_t source)
   if (!driving.function->harmonic())
     throw InputError("A frequency response must have a harmonic excitation, but " + driving.name +
                      " is none.");
+  if (!tied.empty())
+    tie(tied);
+}
+
+void LinearResponse::tie(const std::vector<model::Projection> &tied) {
+  const Matrix rows = rows_of(tied, model_.size());
+  Vector base(rows.rows());
+  for (std::size_t k = 0; k < tied.size(); ++k)
+    base[static_cast<Index>(k)] = tied[k].base_coefficients[source_];
+  basis_ = model::AssembledSystem(model_, rows).basis();
+  const Matrix compliance = model_.mass().cwiseInverse().asDiagonal() * rows.transpose();
+  moved_ = -compliance * least_norm_solution(Matrix(rows * compliance), base);
 }
 
 ComplexAmplitudes LinearResponse::at(double angular_frequency) const {
@@ -37,12 +58,20 @@ ComplexAmplitudes LinearResponse::at(double angular_frequency) const {
   dynamic.diagonal() -= (squared * model_.mass()).cast<ComplexAmplitude>();
   Eigen::VectorXcd load = (driving.load - squared * driving.inertial_load).cast<ComplexAmplitude>();
   load += i * angular_frequency * driving.rate_load.cast<ComplexAmplitude>();
-  const LuFactors<ComplexMatrix> factors(dynamic);
-  if (!(factors.reciprocal_condition() > std::numeric_limits<double>::epsilon()))
-    throw NumericalError("the response without damping is unbounded at this frequency");
+  ComplexVector coordinates = basis_.size() > 0 ? solved_tied(dynamic, load * amplitude, amplitude)
+                                                : solved(dynamic, load * amplitude);
   return {.angular_frequency = angular_frequency,
           .source = amplitude,
-          .coordinates = factors.solve(ComplexVector(load * amplitude))};
+          .coordinates = std::move(coordinates)};
+}
+
+ComplexVector LinearResponse::solved_tied(const ComplexMatrix &dynamic, const ComplexVector &load,
+                                          ComplexAmplitude source) const {
+  const ComplexMatrix basis = basis_.cast<ComplexAmplitude>();
+  const ComplexVector moved = moved_.cast<ComplexAmplitude>() * source;
+  return basis * solved(basis.transpose() * dynamic * basis,
+                        basis.transpose() * (load - dynamic * moved)) +
+         moved;
 }
 
 ComplexAmplitude LinearResponse::observed(const model::Projection &projection,

@@ -1,12 +1,22 @@
 #include "analyses/transient/modal.h"
 
 #include "analyses/results/fields.h"
+#include "analyses/run/single_point.h"
+#include "analyses/transient/assembled_fields.h"
+#include "common/log.h"
 
 #include <numbers>
 
 namespace vibroimpact::analyses {
 
 namespace {
+
+constexpr const char *modal_section = "Modal";
+
+/// The modes of a single body that nothing else holds are in its own pictures.
+bool differs_from_bodies(const model::Model &model, const Matrix &tied) {
+  return model.bodies().size() > 1 || !model.connections().empty() || tied.rows() > 0;
+}
 
 std::vector<double> entries(const Vector &vector) { return {vector.begin(), vector.end()}; }
 
@@ -42,23 +52,40 @@ void add_contact(const FieldWriter &result, const System &system, std::size_t c)
 
 } // namespace
 
-void Modal::declare(parameters::Section & /*analysis*/) {}
-
-std::shared_ptr<const Analysis> Modal::create(const parameters::Values & /*analysis*/) {
-  return std::make_shared<Modal>();
+void Modal::declare(parameters::Section &analysis) {
+  declare_tied_contacts(analysis.subsection(modal_section, "Modes of each body, and of the whole "
+                                                           "linear system with its connections."));
 }
 
-void Modal::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
-  if (context.find({})) {
-    context.skip();
-    return;
-  }
-  PointResult result;
+std::shared_ptr<const Analysis> Modal::create(const parameters::Values &analysis) {
+  return std::make_shared<Modal>(read_tied_contacts(analysis.subsection(modal_section)));
+}
+
+void Modal::check(const System &system) const { tied_(system); }
+
+PointResult Modal::compute(const System &system) const {
+  PointResult point;
+  const FieldWriter result(point);
   for (const auto &body : system.model.bodies())
     add_body(result, *body);
   for (std::size_t c = 0; c < system.contacts.size(); ++c)
     add_contact(result, system, c);
-  context.store(std::move(result));
+  if (!system.model.rotors().empty()) // whose mass changes as they turn
+    return point;
+  const Matrix tied = rows_of(tied_(system), system.model.size());
+  const model::AssembledModes modes =
+      assembled_modes(system.model, model::AssembledSystem(system.model, tied));
+  add_assembled_modes(result, system.model, modes);
+  for (Index j = 0; j < modes.rigid; ++j)
+    log::info("rigid-body mode " + std::to_string(j + 1) +
+              " of the whole system: " + moved_points(system.model, modes.shapes.col(j)));
+  if (differs_from_bodies(system.model, tied))
+    point.motion = {motion_of_modes(system.model, modes)};
+  return point;
+}
+
+void Modal::run_line(std::size_t /*line*/, System &system, LineContext &context) const {
+  run_single_point(context, [&] { return compute(system); });
 }
 
 } // namespace vibroimpact::analyses

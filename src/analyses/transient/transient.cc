@@ -123,7 +123,8 @@ PointResult Transient::compute(const System &system, LineContext &context) const
   motion::ImpactLog log(system.contacts, settings_.recorded_pulses, true);
   Sampler recorder(
       observables({.points = {},
-                   .kinds = {"displacement", "velocity", "acceleration", "elongation",
+                   .kinds = {"displacement", "velocity", "acceleration", "rotation",
+                             "angular_velocity", "angular_acceleration", "elongation",
                              "elongation_rate", "elongation_acceleration", "gap", "normal_force"}},
                   system),
       equal_instants(0, settings_.duration, settings_.sampling_interval));

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <random>
 
-namespace vibroimpact::analyses {
+namespace vibroimpact {
 
 class UniformNumbers {
 public:
@@ -25,4 +25,4 @@ private:
   std::mt19937_64 generator_;
 };
 
-} // namespace vibroimpact::analyses
+} // namespace vibroimpact

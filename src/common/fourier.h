@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace vibroimpact::analyses {
+namespace vibroimpact {
 
 /// sum over n of x_n exp(-2 pi i j n / N) for j = 0 ... N/2.
 std::vector<std::complex<double>> forward_transform(const std::vector<double> &samples);
@@ -20,4 +20,4 @@ std::vector<double> taper(const std::string &name, std::size_t samples);
 std::vector<double> amplitude_spectrum(const std::vector<double> &samples,
                                        const std::vector<double> &weights);
 
-} // namespace vibroimpact::analyses
+} // namespace vibroimpact

@@ -1,4 +1,4 @@
-#include "analyses/signals/fourier.h"
+#include "common/fourier.h"
 
 #include <fftw3.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-namespace vibroimpact::analyses {
+namespace vibroimpact {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::vector<double> amplitude_spectrum(const std::vector<double> &samples,
   return amplitudes;
 }
 
-} // namespace vibroimpact::analyses
+} // namespace vibroimpact

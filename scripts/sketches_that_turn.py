@@ -1,0 +1,89 @@
+"""Sketches of masses that turn, or that a random force drives, for draw-sketches.py."""
+import math
+
+from sketch_shapes import CONTACT, MOTION, Sketch
+
+STEPS = 10  # of an arc
+
+
+def turning(sketch, centre, radius, start, end, symbol, colour=MOTION):
+    """An arc with an arrow at its end, angles in degrees from x towards the top."""
+    angles = [math.radians(start + (end - start) * i / STEPS) for i in range(STEPS + 1)]
+    points = [(centre[0] + radius * math.cos(a), centre[1] - radius * math.sin(a)) for a in angles]
+    sketch.path(points, colour=colour)
+    sketch.arrow_head(points[-2], points[-1], colour)
+    sketch.symbol((points[0][0] + (10 if points[0][0] > centre[0] else -10), points[0][1]), symbol, colour=colour,
+                  anchor="start" if points[0][0] > centre[0] else "end")
+
+
+def gear(sketch, centre, base, symbol):
+    sketch.circle(centre, base + 9)
+    sketch.circle(centre, base, dashes="4 3", fill="none")
+    sketch.circle(centre, 5, fill="white")
+    sketch.symbol((centre[0], centre[1] + 22), symbol)
+
+
+def gear_rattle():
+    sketch = Sketch("Left: pinion and wheel with their base circles and the line of action that is tangent to both. Right: on "
+                    "this line a spring and a dashpot between the teeth, with backlash on both flanks")
+    pinion, wheel = (110, 90), (110, 213)
+    gear(sketch, pinion, 42, "J_1")
+    gear(sketch, wheel, 63, "J_2")
+    sketch.line((40, 140), (190, 140), colour=CONTACT, width=1.2, dashes="6 3")
+    turning(sketch, pinion, 62, 10, 60, "M + M_a sin Ωt")
+    turning(sketch, wheel, 84, 205, 170, "M r_2/r_1")
+    sketch.ground((300, 100), (300, 180))
+    sketch.mass((350, 140), 44, 60, "r_1 φ_1")
+    sketch.mass((560, 140), 44, 60, "r_2 φ_2")
+    sketch.dashpot((372, 120), (538, 120), "c", side=-1)
+    sketch.spring((372, 160), (480, 160), "k", colour=CONTACT)
+    sketch.line((480, 148), (480, 172), colour=CONTACT, width=3)
+    sketch.line((490, 148), (490, 172), colour=CONTACT, width=3)
+    sketch.clearance((480, 172), (490, 172), "B", offset=26, side=1)
+    sketch.line((490, 160), (538, 160), colour=CONTACT)
+    sketch.spring((300, 140), (328, 140), "", coils=3)
+    sketch.spring((582, 140), (610, 140), "", coils=3)
+    sketch.ground((610, 180), (610, 100))
+    return sketch
+
+
+def spinning_disc():
+    sketch = Sketch("Left: a spinning disc falls on a rough floor and bounces. Right: a ball slides on a floor until it rolls")
+    sketch.ground((30, 200), (300, 200))
+    sketch.line((30, 200), (300, 200), colour=CONTACT, width=3)
+    sketch.circle((90, 80), 36)
+    turning(sketch, (90, 80), 48, 60, -20, "ω_0")
+    sketch.arrow((90, 118), (90, 160))
+    sketch.symbol((100, 144), "v_n", colour=MOTION, anchor="start")
+    sketch.circle((225, 164), 36, fill="none", dashes="4 3")
+    sketch.arrow((225, 164), (285, 164))
+    sketch.symbol((262, 152), "v", colour=MOTION)
+    sketch.symbol((170, 222), "μ, e", colour=CONTACT)
+    sketch.ground((380, 200), (640, 200))
+    sketch.line((380, 200), (640, 200), colour=CONTACT, width=3)
+    sketch.circle((440, 164), 36)
+    sketch.arrow((440, 164), (510, 164))
+    sketch.symbol((500, 150), "v_0", colour=MOTION)
+    sketch.line((440, 164), (440, 200))
+    sketch.symbol((430, 184), "R", anchor="end")
+    sketch.circle((575, 164), 36, fill="none", dashes="4 3")
+    turning(sketch, (575, 164), 48, 60, -20, "ω")
+    return sketch
+
+
+def random_stop():
+    sketch = Sketch("An oscillator under a random force with an elastic stop beside it")
+    sketch.ground((30, 40), (30, 140))
+    sketch.spring((30, 70), (130, 70), "1", side=-1)
+    sketch.dashpot((30, 115), (130, 115), "c")
+    sketch.mass((180, 92), 100, 76, "1")
+    sketch.stop((330, 92), (280, 92), 22, ("k",))
+    sketch.ground((330, 140), (330, 44))
+    sketch.clearance((230, 130), (280, 130), "1", offset=40, side=1)
+    heights = [0, 14, -9, 5, -16, 11, -4, 17, -12, 3, 8, -15, 6, -7, 0]
+    sketch.path([(140 + 6 * i, 26 - 0.8 * height) for i, height in enumerate(heights)], colour=MOTION)
+    sketch.symbol((240, 30), "w(t)", colour=MOTION, anchor="start")
+    return sketch
+
+
+SKETCHES = {"random-stop": random_stop, "gear-rattle": gear_rattle, "spinning-disc": spinning_disc}
