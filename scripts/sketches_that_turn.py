@@ -57,7 +57,7 @@ def spinning_disc():
     sketch.symbol((100, 144), "v_n", colour=MOTION, anchor="start")
     sketch.circle((225, 164), 36, fill="none", dashes="4 3")
     sketch.arrow((225, 164), (285, 164))
-    sketch.symbol((262, 152), "v", colour=MOTION)
+    sketch.symbol((292, 152), "v", colour=MOTION)
     sketch.symbol((170, 222), "μ, e", colour=CONTACT)
     sketch.ground((380, 200), (640, 200))
     sketch.line((380, 200), (640, 200), colour=CONTACT, width=3)
