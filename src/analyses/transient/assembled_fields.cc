@@ -1,6 +1,7 @@
 #include "analyses/transient/assembled_fields.h"
 
 #include "analyses/recorders/observables.h"
+#include "common/log.h"
 
 #include <algorithm>
 #include <numbers>
@@ -16,6 +17,7 @@ using model::Model;
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr const char *mode_dimension = "system_mode";
 constexpr const char *damped_dimension = "damped_mode";
+constexpr Index most_damped_modes = 250; // eigenvalues of twice as many states take seconds
 
 std::vector<double> numbers(const Vector &vector) { return {vector.begin(), vector.end()}; }
 
@@ -164,8 +166,13 @@ void add_assembled_modes(const FieldWriter &result, const Model &model,
   for (const model::Connection &connection : model.connections())
     add_shares(of.below("connection/" + connection.name + "/"), modes,
                of_connection(connection, modes));
-  if (!modes.modal_damping)
-    add_damped(of, model, damped_modes(modes));
+  if (modes.modal_damping)
+    return;
+  if (modes.stiffness.size() > most_damped_modes)
+    return log::warning("the damped motions of the whole system are not computed: it has " +
+                        std::to_string(modes.stiffness.size()) + " modes, more than " +
+                        std::to_string(most_damped_modes));
+  add_damped(of, model, damped_modes(modes));
 }
 
 Motion motion_of_modes(const Model &model, const AssembledModes &modes) {
