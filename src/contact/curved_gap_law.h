@@ -1,6 +1,5 @@
 // The normal law of a contact whose gap is no affine form of the motion: the same modes, forces and
-// guards, but wherever there is a force none of its modes is affine, and no contact is a known
-// pulse.
+// guards, but wherever there is a force none of its modes is affine.
 #pragma once
 
 #include "contact/contact_law.h"
@@ -21,6 +20,8 @@ public:
   }
   std::optional<ElasticForce> elastic_force() const override { return law_->elastic_force(); }
   bool may_pull() const override { return law_->may_pull(); }
+  /// Of a force in proportion to the penetration too, which is no affine form here.
+  std::optional<ForcePulse> force_pulse(int mode) const override;
 
 private:
   std::shared_ptr<const ContactLaw> law_;

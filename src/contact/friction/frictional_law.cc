@@ -209,6 +209,17 @@ std::vector<InternalState> FrictionalLaw::internal_states() const {
   return states;
 }
 
+// A force that depends on the slip rate alone begins and ends with a jump.
+std::optional<ForcePulse> FrictionalLaw::force_pulse(int mode) const {
+  const Part &part = parts_[static_cast<std::size_t>(mode)];
+  const bool jumps =
+      !forms_[static_cast<std::size_t>(mode)].tangential_force[0].tangential[0].zero();
+  if (!tangential_->internal_states().empty() || jumps ||
+      modes()[static_cast<std::size_t>(mode)].holds_slip)
+    return std::nullopt;
+  return normal_->force_pulse(part.normal);
+}
+
 double FrictionalLaw::impact_friction() const {
   return normal_->rigid()
              ? tangential_->coefficients().value_or(TangentialLaw::Coefficients{}).sliding

@@ -33,6 +33,9 @@ public:
   void leave(int mode, const LocalState &state, std::span<double> internal) const override;
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   std::optional<ElasticForce> elastic_force() const override { return normal_->elastic_force(); }
+  /// That of the normal force, where friction has no states, the sides slide, and its force is in
+  /// proportion to the normal one.
+  std::optional<ForcePulse> force_pulse(int mode) const override;
   double restitution(double approach_speed) const override {
     return normal_->restitution(approach_speed);
   }

@@ -51,14 +51,20 @@ double free_contact_duration(const contact::ElasticForce &elastic, double mass, 
   return length * deepest / speed;
 }
 
-ContactEpisode::ContactEpisode(const ForcedOutput &penetration, const ContactForce &force,
+ContactEpisode::ContactEpisode(const ForcedMotion &motion, const ContactForce &force,
                                const contact::ForceEdge &begin, const contact::ForceEdge &end,
                                double tolerance, std::shared_ptr<Taught> taught)
-    : output_(penetration), force_(force), begin_(begin), end_(end), tolerance_(tolerance),
-      tolerance_of_newton_(std::clamp(0.1 * tolerance, 1e-13, 1e-8)),
-      exponent_(force.elastic().exponent), taught_(std::move(taught)),
-      mass_(-1 / (penetration.responses()[1] * penetration.flow().fastest())) {
+    : motion_(motion), d_(motion.n_directions()), force_(force), begin_(begin), end_(end),
+      tolerance_(tolerance), tolerance_of_newton_(std::clamp(0.1 * tolerance, 1e-13, 1e-8)),
+      exponent_(force.elastic().exponent), taught_(std::move(taught)) {
+  if (d_ == 1)
+    mass_ = -1 / (motion_.response(0, 0, 1) * motion_.fastest());
   use_nodes(taught_->nodes);
+}
+
+void ContactEpisode::turn_to(const TouchFrame &frame) {
+  motion_.turn_to(frame);
+  mass_ = -1 / (motion_.response(0, 0, 1) * motion_.fastest());
 }
 
 void ContactEpisode::use_nodes(int nodes) {
@@ -76,14 +82,16 @@ void ContactEpisode::choose_nodes(int nodes) {
   const int n_before = n_;
   use_nodes(nodes);
   if (taught_->has_shape) {
-    std::vector<double> shape(static_cast<std::size_t>(nodes));
+    std::vector<double> shape(static_cast<std::size_t>(d_ * nodes));
     const GaussRule &rule = tools_->family.rule();
     for (int j = 0; j < nodes; ++j) {
       const LongArray functions = before->family.functions(rule.nodes[j], rule.rest[j]);
-      long double sum = 0;
-      for (int i = 0; i < n_before; ++i)
-        sum += functions[i] * taught_->shape[static_cast<std::size_t>(i)];
-      shape[static_cast<std::size_t>(j)] = static_cast<double>(sum);
+      for (int d = 0; d < d_; ++d) {
+        long double sum = 0;
+        for (int i = 0; i < n_before; ++i)
+          sum += functions[i] * taught_->shape[static_cast<std::size_t>(d * n_before + i)];
+        shape[static_cast<std::size_t>(d * nodes + j)] = static_cast<double>(sum);
+      }
     }
     taught_->shape = std::move(shape);
   }
@@ -124,13 +132,18 @@ Refusal ContactEpisode::solve_with_present_nodes(double longest) {
   return refusal == Refusal::none ? judge() : refusal;
 }
 
+// Both components are zero at the touch, as far as the instant is known.
+void ContactEpisode::read_free_motion(int terms) {
+  known_coefficients_ = terms;
+  motion_.free_motion(start_, terms, coefficients_);
+  for (ForcedMotion::Coefficients &coefficients : coefficients_)
+    coefficients[0] = 0;
+}
+
 bool ContactEpisode::begin(double longest) {
-  if (known_coefficients_ == 0) {
-    known_coefficients_ = fewest_terms;
-    output_.free_motion(start_, known_coefficients_, coefficients_.data());
-    coefficients_[0] = 0; // as far as the instant is known
-  }
-  speed_ = coefficients_[1] * output_.flow().fastest();
+  if (known_coefficients_ == 0)
+    read_free_motion(fewest_terms);
+  speed_ = coefficients_[0][1] * motion_.fastest();
   sweeps_ = 0;
   return speed_ > 0 && std::isfinite(speed_) && mass_ > 0 && longest > 0;
 }
@@ -143,48 +156,10 @@ void ContactEpisode::guess() {
   }
   duration_ = taught_->length_scale * std::pow(speed_, -power);
   const double unit = mass_ * speed_ / duration_;
-  for (int j = 0; j < n_; ++j)
-    forces_[static_cast<std::size_t>(j)] = unit * taught_->shape[static_cast<std::size_t>(j)];
-}
-
-// The two sides alone under the acceleration that they meet with, by the classical Runge-Kutta
-// method, as far as the end of the force.
-void ContactEpisode::guess_anew() {
-  constexpr std::size_t steps_of_elastic_contact = 48;
-  constexpr std::size_t most_steps = 10 * steps_of_elastic_contact;
-  using Motion = Eigen::Vector2d; // u, u'
-  const double fastest = output_.flow().fastest();
-  const double free = 2 * coefficients_[2] * fastest * fastest;
-  const auto slope = [&](const Motion &at) {
-    force_.evaluate(1, &at[0], &at[1], law_);
-    return Motion(at[1], free - law_.force[0] / mass_);
-  };
-  const double h =
-      free_contact_duration(force_.elastic(), mass_, speed_) / steps_of_elastic_contact;
-  std::vector<Motion> path = {Motion(0, speed_)};
-  const auto ended = [&](const Motion &at) { return !(condition_(at[0], at[1]) > 0); };
-  while (path.size() <= most_steps && (path.size() < 3 || !ended(path.back()))) {
-    const Motion &from = path.back();
-    const Motion k1 = slope(from);
-    const Motion k2 = slope(from + 0.5 * h * k1);
-    const Motion k3 = slope(from + 0.5 * h * k2);
-    const Motion k4 = slope(from + h * k3);
-    path.emplace_back(from + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4));
-  }
-  const std::size_t last = path.size() - 2;
-  const double before = condition_(path[last][0], path[last][1]);
-  const double behind = condition_(path[last + 1][0], path[last + 1][1]);
-  duration_ = h * (static_cast<double>(last) + (behind < 0 ? before / (before - behind) : 1));
-  for (int j = 0; j < n_; ++j) {
-    const double place = tools_->family.nodes()[j] * duration_ / h;
-    const auto i = std::min(static_cast<std::size_t>(place), last);
-    const double part = place - static_cast<double>(i);
-    const Motion at = (1 - part) * path[i] + part * path[i + 1];
-    penetrations_[static_cast<std::size_t>(j)] = at[0];
-    rates_[static_cast<std::size_t>(j)] = at[1];
-  }
-  force_.evaluate(n_, penetrations_.data(), rates_.data(), law_);
-  std::copy_n(law_.force.begin(), n_, forces_.begin());
+  for (int d = 0; d < d_; ++d)
+    for (int j = 0; j < n_; ++j)
+      forces_[static_cast<std::size_t>(d)][static_cast<std::size_t>(j)] =
+          unit * taught_->shape[static_cast<std::size_t>(d * n_ + j)];
 }
 
 // False: the system turns too far within the step.
@@ -192,11 +167,8 @@ bool ContactEpisode::choose_terms(double theta) {
   if (!(theta <= largest_theta))
     return false;
   terms_ = terms_for(theta, 0.003 * tolerance_of_newton_);
-  if (terms_ > known_coefficients_) {
-    output_.free_motion(start_, terms_, coefficients_.data());
-    coefficients_[0] = 0;
-    known_coefficients_ = terms_;
-  }
+  if (terms_ > known_coefficients_)
+    read_free_motion(terms_);
   tools_->at_nodes.require(terms_);
   return true;
 }
@@ -209,7 +181,7 @@ Refusal ContactEpisode::iterate(double longest) {
   changed_ = 1;
   higher_share_ = 1;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    const double theta = output_.flow().fastest() * duration_;
+    const double theta = motion_.fastest() * duration_;
     if (theta > chosen) {
       chosen = std::min(std::max(margin * theta, 0.0), std::max(theta, largest_theta));
       if (!choose_terms(chosen))
@@ -241,80 +213,17 @@ Refusal ContactEpisode::iterate(double longest) {
   return Refusal::no_solution;
 }
 
-void ContactEpisode::evaluate() {
-  ++sweeps_;
-  const double theta = output_.flow().fastest() * duration_;
-  double power = 1;
-  for (int k = 0; k < terms_; ++k, power *= theta)
-    powers_[static_cast<std::size_t>(k)] = output_.responses()[k] * power;
-  add_free_motion();
-  add_forced_motion();
-  force_.evaluate(n_, penetrations_.data(), rates_.data(), law_);
-}
-
-// Horner's rule at all nodes and the end.
-void ContactEpisode::add_free_motion() {
-  const double theta = output_.flow().fastest() * duration_;
-  const double rate = output_.flow().fastest();
-  for (int i = 0; i <= n_; ++i) {
-    const double s = i < n_ ? theta * tools_->family.nodes()[i] : theta;
-    double value = 0;
-    double slope = 0;
-    double half_bend = 0;
-    for (int k = terms_; k-- > 0;) {
-      half_bend = slope + s * half_bend;
-      slope = value + s * slope;
-      value = coefficients_[static_cast<std::size_t>(k)] + s * value;
-    }
-    const auto at = static_cast<std::size_t>(i);
-    penetrations_[at] = value;
-    free_rates_[at] = rates_[at] = rate * slope;
-    free_accelerations_[at] = 2 * rate * rate * half_bend;
-  }
-}
-
-// The terms beyond the first are those of the system; they change little from sweep to sweep.
-void ContactEpisode::add_forced_motion() {
-  const Index targets = n_ + 1;
-  const ConstVectorView forces(forces_.data(), n_);
-  const Matrix &terms = tools_->at_nodes.terms();
-  VectorView(first_.data(), targets).noalias() =
-      duration_ * powers_[1] * (terms.middleCols(n_, n_) * forces);
-  VectorView(first_rates_.data(), targets).noalias() = powers_[1] * (terms.leftCols(n_) * forces);
-  if (changed_ * higher_share_ > 0.3 * tolerance_of_newton_)
-    renew_higher_terms();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(targets); ++i) {
-    penetrations_[i] += first_[i] + higher_[i];
-    rates_[i] += first_rates_[i] + higher_rates_[i];
-  }
-}
-
-void ContactEpisode::renew_higher_terms() {
-  const Index targets = n_ + 1;
-  const Index columns = static_cast<Index>(terms_ - 2) * n_;
-  weighted_.resize(columns);
-  for (int k = 2; k < terms_; ++k)
-    for (int j = 0; j < n_; ++j)
-      weighted_[(k - 2) * n_ + j] =
-          powers_[static_cast<std::size_t>(k)] * forces_[static_cast<std::size_t>(j)];
-  const Matrix &terms = tools_->at_nodes.terms();
-  VectorView higher(higher_.data(), targets);
-  higher.noalias() = duration_ * (terms.middleCols(2 * n_, columns) * weighted_);
-  VectorView(higher_rates_.data(), targets).noalias() = terms.middleCols(n_, columns) * weighted_;
-  const double largest = ConstVectorView(first_.data(), targets).cwiseAbs().maxCoeff();
-  higher_share_ = largest > 0 ? std::min(1.0, 4 * higher.cwiseAbs().maxCoeff() / largest) : 1;
-  changed_ = 0;
-}
-
 void ContactEpisode::find_residual() {
   const double unit = mass_ * speed_ / duration_;
-  residual_.resize(n_ + 1);
-  for (int i = 0; i < n_; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    residual_[i] = (law_.force[at] - forces_[at]) / unit;
-  }
+  residual_.resize(d_ * n_ + 1);
+  for (int d = 0; d < d_; ++d)
+    for (int i = 0; i < n_; ++i) {
+      const auto of = static_cast<std::size_t>(d);
+      const auto at = static_cast<std::size_t>(i);
+      residual_[d * n_ + i] = (law_.force[of][at] - forces_[of][at]) / unit;
+    }
   const auto end = static_cast<std::size_t>(n_);
-  residual_[n_] = -condition_(penetrations_[end], rates_[end]) / end_scale();
+  residual_[d_ * n_] = -condition_(penetrations_[end], rates_[end]) / end_scale();
 }
 
 // Of the form that ends the contact.
@@ -322,49 +231,50 @@ double ContactEpisode::end_scale() const {
   return speed_ * (duration_ * std::abs(condition_.by_penetration) + std::abs(condition_.by_rate));
 }
 
-// d u / d f, d u' / d f at the nodes and the end, and their derivatives by ln T.
-void ContactEpisode::differentiate() {
-  const Matrix &terms = tools_->at_nodes.terms();
-  const ConstVectorView forces(forces_.data(), n_);
-  by_force_.setZero(n_ + 1, n_);
-  rate_by_force_.setZero(n_ + 1, n_);
-  by_length_.resize(n_ + 1);
-  rate_by_length_.resize(n_ + 1);
-  for (int i = 0; i <= n_; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double t = duration_ * (i < n_ ? tools_->family.nodes()[i] : 1);
-    by_length_[i] = t * free_rates_[at];
-    rate_by_length_[i] = t * free_accelerations_[at];
-  }
-  for (int k = 1; k < terms_; ++k) {
-    const double power = powers_[static_cast<std::size_t>(k)];
-    const auto integral = terms.middleCols(static_cast<Index>(k) * n_, n_);
-    const auto before = terms.middleCols(static_cast<Index>(k - 1) * n_, n_);
-    by_force_ += duration_ * power * integral;
-    rate_by_force_ += power * before;
-    by_length_.noalias() += (k + 1) * duration_ * power * (integral * forces);
-    rate_by_length_.noalias() += k * power * (before * forces);
-  }
-}
-
 void ContactEpisode::factorise() {
   differentiate();
+  Matrix matrix = Matrix::Identity(d_ * n_ + 1, d_ * n_ + 1);
+  add_law(matrix);
+  add_end(matrix);
+  taught_->inverse = inverse(matrix);
+  taught_->has_inverse = true;
+}
+
+// The rows of the nodes.
+void ContactEpisode::add_law(Matrix &matrix) const {
+  const double unit = mass_ * speed_ / duration_;
+  const Index last = d_ * n_;
+  for (std::size_t of = 0; of < static_cast<std::size_t>(d_); ++of)
+    for (std::size_t by = 0; by < static_cast<std::size_t>(d_); ++by)
+      for (int i = 0; i < n_; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const double stiffness = law_.by_place[of][by][at];
+        const double damping = law_.by_rate[of][by][at];
+        const Index row = static_cast<Index>(of) * n_ + i;
+        for (std::size_t force = 0; force < static_cast<std::size_t>(d_); ++force)
+          matrix.row(row).segment(static_cast<Index>(force) * n_, n_) -=
+              stiffness * by_force_[by][force].row(i) + damping * rate_by_force_[by][force].row(i);
+        matrix(row, last) -=
+            (stiffness * by_length_[by][i] + damping * rate_by_length_[by][i]) / unit;
+      }
+}
+
+// The last row: by the penetration and its rate, and these by the motion.
+void ContactEpisode::add_end(Matrix &matrix) const {
   const double unit = mass_ * speed_ / duration_;
   const double of_value = condition_.by_penetration / end_scale();
   const double of_rate = condition_.by_rate / end_scale();
-  Matrix matrix = Matrix::Identity(n_ + 1, n_ + 1);
-  for (int i = 0; i < n_; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double stiffness = law_.by_penetration[at];
-    const double damping = law_.by_rate[at];
-    matrix.row(i).head(n_) -= stiffness * by_force_.row(i) + damping * rate_by_force_.row(i);
-    matrix(i, n_) = -(stiffness * by_length_[i] + damping * rate_by_length_[i]) / unit;
+  const Index last = d_ * n_;
+  matrix(last, last) = 0;
+  for (std::size_t by = 0; by < static_cast<std::size_t>(d_); ++by) {
+    const double place =
+        of_value * end_overlap_.by_place[by] + of_rate * end_overlap_.rate_by_place[by];
+    const double rate = of_rate * end_overlap_.rate_by_rate[by];
+    for (std::size_t force = 0; force < static_cast<std::size_t>(d_); ++force)
+      matrix.row(last).segment(static_cast<Index>(force) * n_, n_) +=
+          unit * (place * by_force_[by][force].row(n_) + rate * rate_by_force_[by][force].row(n_));
+    matrix(last, last) += place * by_length_[by][n_] + rate * rate_by_length_[by][n_];
   }
-  matrix.row(n_).head(n_) =
-      unit * (of_value * by_force_.row(n_) + of_rate * rate_by_force_.row(n_));
-  matrix(n_, n_) = of_value * by_length_[n_] + of_rate * rate_by_length_[n_];
-  taught_->inverse = inverse(matrix);
-  taught_->has_inverse = true;
 }
 
 // Returns the size of the correction; where the inverse is spoilt, the residual shows it.
@@ -372,9 +282,11 @@ double ContactEpisode::correct() {
   const double unit = mass_ * speed_ / duration_;
   correction_.noalias() = taught_->inverse * residual_;
   const double size = correction_.cwiseAbs().maxCoeff();
-  for (int j = 0; j < n_; ++j)
-    forces_[static_cast<std::size_t>(j)] += unit * correction_[j];
-  duration_ *= 1 + std::clamp(correction_[n_], -0.5, 1.0);
+  for (int d = 0; d < d_; ++d)
+    for (int j = 0; j < n_; ++j)
+      forces_[static_cast<std::size_t>(d)][static_cast<std::size_t>(j)] +=
+          unit * correction_[d * n_ + j];
+  duration_ *= 1 + std::clamp(correction_[d_ * n_], -0.5, 1.0);
   changed_ += size;
   return std::max(size, 0.1 * residual_.cwiseAbs().maxCoeff());
 }
@@ -403,9 +315,11 @@ Refusal ContactEpisode::judge() {
 
 void ContactEpisode::learn() {
   const double unit = mass_ * speed_ / duration_;
-  taught_->shape.resize(static_cast<std::size_t>(n_));
-  for (int j = 0; j < n_; ++j)
-    taught_->shape[static_cast<std::size_t>(j)] = forces_[static_cast<std::size_t>(j)] / unit;
+  taught_->shape.resize(static_cast<std::size_t>(d_ * n_));
+  for (int d = 0; d < d_; ++d)
+    for (int j = 0; j < n_; ++j)
+      taught_->shape[static_cast<std::size_t>(d * n_ + j)] =
+          forces_[static_cast<std::size_t>(d)][static_cast<std::size_t>(j)] / unit;
   taught_->length_scale = duration_ * std::pow(speed_, (exponent_ - 1) / (exponent_ + 1));
   taught_->has_shape = true;
   taught_->good_steps =

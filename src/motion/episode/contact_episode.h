@@ -28,11 +28,15 @@
 // (tests/motion/contact_episode.cc). Gauss collocation and its order: Hairer, Norsett and Wanner
 // 1993, section II.7. Between the nodes the force is a off, and the penetration, two integrals of
 // what oscillates like the next polynomial, a / m^2.
+//
+// Where the normal turns, motion and force have two directions, those of the touch
+// (forced_motion.h): f_j are vectors, F is one of both components of u and u', and the condition at
+// the end sees the penetration, which is no component. In the frame of the touch what was learned
+// serves at every place of the circumference.
 #pragma once
 
-#include "motion/episode/contact_force.h"
 #include "motion/episode/force_tools.h"
-#include "motion/episode/forced_flow.h"
+#include "motion/episode/forced_motion.h"
 
 #include "contact/contact_law.h"
 
@@ -71,7 +75,7 @@ double free_contact_duration(const contact::ElasticForce &elastic, double mass, 
 class ContactEpisode {
 public:
   /// Coefficients of Taylor series that are made use of at most.
-  static constexpr int most_terms = 44;
+  static constexpr int most_terms = ForcedMotion::most_terms;
 
   /// What earlier contacts have taught; it may outlive what solves them.
   struct Taught {
@@ -83,15 +87,18 @@ public:
     Matrix inverse{};
   };
 
-  /// Keeps references. `penetration` has most_terms coefficients; `begin`, `end`: how the force
-  /// begins and ends; `tolerance`: relative, of the impulse.
-  ContactEpisode(const ForcedOutput &penetration, const ContactForce &force,
+  /// Keeps references. Outputs have most_terms coefficients; `begin`, `end`: how the force begins
+  /// and ends; `tolerance`: relative, of the impulse.
+  ContactEpisode(const ForcedMotion &motion, const ContactForce &force,
                  const contact::ForceEdge &begin, const contact::ForceEdge &end, double tolerance,
                  std::shared_ptr<Taught> taught = std::make_shared<Taught>());
 
   /// Of the contacts to come; before, that is u = 0.
   void set_end(const EndCondition &condition) { condition_ = condition; }
   const EndCondition &end() const { return condition_; }
+
+  /// Of the contact to come, where the normal turns.
+  void turn_to(const TouchFrame &frame);
 
   /// Forgets what earlier contacts taught.
   void forget() { *taught_ = {}; }
@@ -110,27 +117,37 @@ public:
   int terms() const { return terms_; }    ///< Taylor coefficients used, from order 0
   int nodes() const { return n_; }
   ForceTools &tools() const { return *tools_; }
-  const double *forces() const { return forces_.data(); } ///< f_j [N]
+  /// f_j along a direction [N]
+  const double *forces(int direction = 0) const {
+    return forces_[static_cast<std::size_t>(direction)].data();
+  }
   const double *penetrations() const {
     return penetrations_.data();
-  }                                                     ///< at the nodes and the end [m]
-  const double *rates() const { return rates_.data(); } ///< the same [m/s]
-  const ForceValues &law() const { return law_; }       ///< at the nodes
-  double impulse() const;                               ///< [N s]
-  double pulling_impulse() const;                       ///< of what pulls, >= 0 [N s]
-  double dissipated() const;                            ///< by the law [J]
-  /// (I_k f) of each target for k < terms(), k running fastest: what ForcedFlow::add() takes.
+  }                                                               ///< at the nodes and the end [m]
+  const double *rates() const { return rates_.data(); }           ///< the same [m/s]
+  const Motions &motions() const { return motions_; }             ///< the same
+  const ForceValues &law() const { return law_; }                 ///< at the nodes
+  double impulse() const;                                         ///< of the normal force [N s]
+  double pulling_impulse() const;                                 ///< of what pulls, >= 0 [N s]
+  double dissipated() const { return integral(law_.dissipated); } ///< by the law [J]
+  /// Of what begins and ends like the force, by its values at the nodes.
+  double integral(const Instants &values) const;
+  int n_directions() const { return d_; }
+  /// (I_k f) along each direction, of each target for k < terms(), k running fastest: what
+  /// ForcedFlow::add() takes.
   std::vector<double> moments(ForceOperators &operators) const;
   /// The same of the end alone.
   std::vector<double> end_moments() const;
 
 private:
-  using Targets = std::array<double, most_targets>;
+  using Responses = ByDirection<ByDirection<ForcedMotion::Coefficients>>;
 
   Refusal solve_with_present_nodes(double longest);
   bool begin(double longest);
+  void read_free_motion(int terms);
   void guess();
   void guess_anew();
+  void guess_by_path(const std::vector<Motions> &path, double step);
   Refusal iterate(double longest);
   bool choose_terms(double theta);
   bool series_ends() const;
@@ -138,10 +155,14 @@ private:
   void add_free_motion();
   void add_forced_motion();
   void renew_higher_terms();
+  void see_overlaps();
   void find_residual();
   void differentiate();
   void factorise();
+  void add_law(Matrix &matrix) const;
+  void add_end(Matrix &matrix) const;
   double correct();
+  const double *normal_force() const { return d_ == 1 ? forces_[0].data() : law_.normal.data(); }
   int highest_count() const;
   Refusal judge();
   bool is_rough() const;
@@ -153,7 +174,8 @@ private:
   void use_nodes(int nodes);
   void learn();
 
-  const ForcedOutput &output_;
+  ForcedMotion motion_;
+  const int d_; ///< directions
   const ContactForce &force_;
   contact::ForceEdge begin_, end_;
   EndCondition condition_;
@@ -168,16 +190,19 @@ private:
   double speed_ = 0, mass_ = 0, duration_ = 0;
   double error_ = 0, error_between_ = 0; ///< over what is allowed
   int sweeps_ = 0, terms_ = 0, known_coefficients_ = 0;
-  std::array<double, most_terms> coefficients_{}; ///< d_k
-  std::array<double, most_terms> powers_{};       ///< g_k theta^k
-  Targets forces_{}, penetrations_{}, rates_{}, free_rates_{}, free_accelerations_{};
-  Targets first_{}, first_rates_{}, higher_{}, higher_rates_{}; ///< of the force, k = 1 and k > 1
+  ByDirection<ForcedMotion::Coefficients> coefficients_{}; ///< d_k
+  Responses powers_{};                                     ///< g_k theta^k
+  Motions motions_;
+  ByDirection<Instants> forces_{}, free_rates_{}, free_accelerations_{};
+  Instants penetrations_{}, rates_{};
+  Overlap end_overlap_;
+  ByDirection<Instants> higher_{}, higher_rates_{}; ///< of the force, k > 1
   double changed_ = 0;      ///< by corrections since the higher terms were renewed
-  double higher_share_ = 1; ///< of the higher terms in the penetration
+  double higher_share_ = 1; ///< of the higher terms in the motion
   ForceValues law_;
   Vector residual_, correction_, weighted_;
-  Matrix by_force_, rate_by_force_;   ///< of penetration and rate, (nodes + 1) x nodes
-  Vector by_length_, rate_by_length_; ///< by ln T, at fixed parts of it
+  ByDirection<ByDirection<Matrix>> by_force_, rate_by_force_; ///< [of][by], (nodes + 1) x nodes
+  ByDirection<Vector> by_length_, rate_by_length_;            ///< by ln T, at fixed parts of it
 };
 
 } // namespace vibroimpact::motion

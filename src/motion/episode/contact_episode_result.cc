@@ -8,8 +8,8 @@ namespace vibroimpact::motion {
 
 // A force that pushes has not ended before. One that pulls as long as there is penetration neither.
 bool ContactEpisode::ends_first() const {
-  return tools_->family.is_positive(forces_.data(), !condition_.at_release()) ||
-         (condition_.at_release() && overlaps());
+  return tools_->family.is_positive(normal_force(), !condition_.at_release()) ||
+         (d_ == 1 && condition_.at_release() && overlaps());
 }
 
 // Between points so close that the cubic polynomials of the penetration show where it is: they lie
@@ -18,18 +18,18 @@ bool ContactEpisode::overlaps() const {
   constexpr int points = 17;
   ShownPoints &shown = tools_->shown(points);
   shown.between.require(terms_);
-  const ConstVectorView forces(forces_.data(), n_);
-  const double theta = output_.flow().fastest() * duration_;
+  const ConstVectorView forces(forces_[0].data(), n_);
+  const double theta = motion_.fastest() * duration_;
   Vector u = Vector::Zero(shown.between.n_targets() + 2);
   Vector slope = Vector::Zero(u.size()); // du/dx
   slope[0] = speed_ * duration_;
   slope[u.size() - 1] = rates_[static_cast<std::size_t>(n_)] * duration_;
   for (int k = 1; k < terms_; ++k) {
     const auto at = static_cast<std::size_t>(k);
-    u.segment(1, u.size() - 2) += duration_ * powers_[at] * (shown.between.term(k) * forces);
+    u.segment(1, u.size() - 2) += duration_ * powers_[0][0][at] * (shown.between.term(k) * forces);
     slope.segment(1, u.size() - 2) +=
-        duration_ * powers_[at] * (shown.between.term(k - 1) * forces);
-    const double free = coefficients_[at] * std::pow(theta, k);
+        duration_ * powers_[0][0][at] * (shown.between.term(k - 1) * forces);
+    const double free = coefficients_[0][at] * std::pow(theta, k);
     for (Index i = 1; i + 1 < u.size(); ++i) {
       const double before = std::pow(static_cast<double>(shown.rule.nodes[i]), k - 1);
       u[i] += free * before * static_cast<double>(shown.rule.nodes[i]);
@@ -47,14 +47,16 @@ bool ContactEpisode::overlaps() const {
 
 // Of systems that are far from normal the terms need not fall as those of their exponents.
 bool ContactEpisode::series_ends() const {
-  const double theta = output_.flow().fastest() * duration_;
-  const double largest = *std::max_element(penetrations_.begin(), penetrations_.begin() + n_);
+  const double theta = motion_.fastest() * duration_;
   const double allowed = tolerance_of_newton_;
-  for (int k = terms_ - 2; k < terms_; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    if (std::abs(coefficients_[at]) * std::pow(theta, k) > allowed * largest ||
-        std::abs(powers_[at] / powers_[1]) / std::tgamma(k + 1.0) > allowed)
-      return false;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(d_); ++d) {
+    const double largest = ConstVectorView(motions_.places[d].data(), n_ + 1).cwiseAbs().maxCoeff();
+    for (int k = terms_ - 2; k < terms_; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      if (std::abs(coefficients_[d][at]) * std::pow(theta, k) > allowed * largest ||
+          std::abs(powers_[d][d][at] / powers_[d][d][1]) / std::tgamma(k + 1.0) > allowed)
+        return false;
+    }
   }
   return true;
 }
@@ -73,52 +75,57 @@ void ContactEpisode::find_error() {
   const double deepest = *std::max_element(penetrations_.begin(), penetrations_.begin() + n_);
   double stiffness = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n_); ++i)
-    stiffness = std::max(stiffness,
-                         std::abs(law_.force[i]) / std::max(penetrations_[i], shallow * deepest));
-  const double fastest = output_.flow().fastest();
+    stiffness = std::max(stiffness, std::abs(law_.force[0][i]) /
+                                        std::max(penetrations_[i], shallow * deepest));
+  const double fastest = motion_.fastest();
   const double turn = 0.5 * duration_ * tools_->family.stretch().steepest() *
                       std::sqrt(fastest * fastest + 2 * stiffness / mass_);
   double smooth = 1;
   for (int k = 1; k <= n_; ++k)
     smooth *= turn / (2 * k - 1);
   constexpr double of_rough_force = 0.1;
-  const double tail = tools_->family.tail(forces_.data());
+  double tail = 0;
+  for (int d = 0; d < d_; ++d)
+    tail = std::max(tail, tools_->family.tail(forces(d), forces()));
   const double kept = std::max(std::min(1.0, smooth), is_rough() ? of_rough_force : 0);
   error_ = tail * std::max(0.1 * tail, kept) / tolerance_;
   error_between_ = tail / (n_ * n_) / tolerance_;
 }
 
-double ContactEpisode::impulse() const {
-  return duration_ * tools_->at_nodes.term(0).row(n_).dot(ConstVectorView(forces_.data(), n_));
+double ContactEpisode::integral(const Instants &values) const {
+  return duration_ * tools_->at_nodes.term(0).row(n_).dot(ConstVectorView(values.data(), n_));
 }
+
+double ContactEpisode::impulse() const { return integral(d_ == 1 ? forces_[0] : law_.normal); }
 
 // By the rule whose nodes these are: its weights are positive.
 double ContactEpisode::pulling_impulse() const {
-  const ConstVectorView forces(forces_.data(), n_);
+  const ConstVectorView forces(forces_[0].data(), n_);
   return -duration_ * tools_->at_nodes.term(0).row(n_).dot(forces.cwiseMin(0));
-}
-
-double ContactEpisode::dissipated() const {
-  return duration_ *
-         tools_->at_nodes.term(0).row(n_).dot(ConstVectorView(law_.dissipated.data(), n_));
 }
 
 std::vector<double> ContactEpisode::moments(ForceOperators &operators) const {
   operators.require(terms_);
-  const auto count = static_cast<std::size_t>(terms_);
-  std::vector<double> list(count * static_cast<std::size_t>(operators.n_targets()));
-  const ConstVectorView forces(forces_.data(), n_);
-  Eigen::Map<Matrix> of(list.data(), terms_, operators.n_targets());
-  for (int k = 0; k < terms_; ++k)
-    of.row(k).noalias() = (operators.term(k) * forces).transpose();
+  const std::size_t count =
+      static_cast<std::size_t>(terms_) * static_cast<std::size_t>(operators.n_targets());
+  std::vector<double> list(static_cast<std::size_t>(d_) * count);
+  for (int d = 0; d < d_; ++d) {
+    const ConstVectorView along(forces(d), n_);
+    Eigen::Map<Matrix> of(list.data() + static_cast<std::size_t>(d) * count, terms_,
+                          operators.n_targets());
+    for (int k = 0; k < terms_; ++k)
+      of.row(k).noalias() = (operators.term(k) * along).transpose();
+  }
   return list;
 }
 
 std::vector<double> ContactEpisode::end_moments() const {
-  std::vector<double> list(static_cast<std::size_t>(terms_));
-  const ConstVectorView forces(forces_.data(), n_);
-  for (int k = 0; k < terms_; ++k)
-    list[static_cast<std::size_t>(k)] = tools_->at_nodes.term(k).row(n_).dot(forces);
+  std::vector<double> list;
+  for (int d = 0; d < d_; ++d) {
+    const ConstVectorView along(forces(d), n_);
+    for (int k = 0; k < terms_; ++k)
+      list.push_back(tools_->at_nodes.term(k).row(n_).dot(along));
+  }
   return list;
 }
 

@@ -39,7 +39,7 @@ ContactOutputs::ContactOutputs(const LinearOutputs &forms, const PhaseEpisode &c
 // It goes like t^(n - 1) beside a force that goes like t^n; one that is cut off ends in the midst.
 bool ContactOutputs::possible(const PhaseEpisode &contact) {
   const ForceShape &shape = contact.solution().tools().family.shape();
-  return shape.begin >= 1 && (shape.end >= 1 || shape.end == 0);
+  return contact.n_directions() == 1 && shape.begin >= 1 && (shape.end >= 1 || shape.end == 0);
 }
 
 std::size_t ContactOutputs::bytes() const {
@@ -54,7 +54,7 @@ void ContactOutputs::renew() {
   if (version_ == contact_.version())
     return;
   version_ = contact_.version();
-  penetration_.emplace(Output{.form = contact_.penetration()});
+  penetration_.emplace(Output{.form = contact_.output()});
   outputs_.clear();
   for (std::size_t form = 0; form < forms_.ranges.size(); ++form)
     outputs_.push_back(output(form));
@@ -140,14 +140,16 @@ void ContactOutputs::set_forces() {
   penetration_->form.free_motion(contact_.before().data(), contact_.solution().terms(), free);
   free[0] = 0;
   ForceValues law;
+  Motions at;
   for (Index i = 0; i < times_.size(); ++i) {
-    const double u =
+    at.places[0][0] =
         std::max(derivative(*penetration_, free, 0, i), std::numeric_limits<double>::min());
-    const double rate = fastest * derivative(*penetration_, free, 1, i);
-    contact_.force().evaluate(1, &u, &rate, law);
-    integrals_(i, 1) = law.force[0];
+    at.rates[0][0] = fastest * derivative(*penetration_, free, 1, i);
+    contact_.force().evaluate(1, at, law);
+    integrals_(i, 1) = law.force[0][0];
     const double acceleration = fastest * fastest * derivative(*penetration_, free, 2, i);
-    integrals_(i, 0) = (law.by_penetration[0] * rate + law.by_rate[0] * acceleration) / fastest;
+    integrals_(i, 0) =
+        (law.by_place[0][0][0] * at.rates[0][0] + law.by_rate[0][0][0] * acceleration) / fastest;
   }
 }
 
@@ -252,21 +254,22 @@ std::optional<double> ContactOutputs::stationary(Index instant, const Bernstein 
   const Bernstein slope_of_rest = rest.derivative();
   ForceValues law;
   const auto evaluate = [&](double tau) {
-    const double u = std::max(penetration(tau), std::numeric_limits<double>::min());
-    const double v = fastest / h * rate(tau);
-    contact_.force().evaluate(1, &u, &v, law);
+    Motions at;
+    at.places[0][0] = std::max(penetration(tau), std::numeric_limits<double>::min());
+    at.rates[0][0] = fastest / h * rate(tau);
+    contact_.force().evaluate(1, at, law);
   };
   const auto slope = [&](double tau) {
     evaluate(tau);
-    return slope_of_rest(tau) + by_force * (law.by_penetration[0] * rate(tau) +
-                                            law.by_rate[0] * fastest / h * acceleration(tau));
+    return slope_of_rest(tau) + by_force * (law.by_place[0][0][0] * rate(tau) +
+                                            law.by_rate[0][0][0] * fastest / h * acceleration(tau));
   };
   if (!(slope(0) * slope(1) < 0))
     return std::nullopt;
   constexpr int bits = 26; // half of the digits of the place give all of the value
   const double tau = zero_between(slope, 0, 1, bits);
   evaluate(tau);
-  return rest(tau) + by_force * law.force[0];
+  return rest(tau) + by_force * law.force[0][0];
 }
 
 } // namespace vibroimpact::motion

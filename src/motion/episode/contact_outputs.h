@@ -24,8 +24,8 @@ namespace vibroimpact::motion {
 
 class ContactOutputs {
 public:
-  /// Whether the rate of the force is finite at both ends of the contact that was passed last, as
-  /// the values between two instants need it.
+  /// Whether the force has one direction, and its rate is finite at both ends of the contact that
+  /// was passed last, as the values between two instants need it.
   static bool possible(const PhaseEpisode &contact);
 
   /// Keeps references to both. `tolerance`: relative, of the polynomials.

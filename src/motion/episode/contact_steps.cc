@@ -1,12 +1,12 @@
 #include "motion/episode/contact_steps.h"
 
+#include "motion/system/friction_rates.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace vibroimpact::motion {
-
-using contact::LocalState;
 
 namespace {
 
@@ -41,20 +41,25 @@ void ContactSteps::fill(const PhaseEpisode &contact, double time, const double *
   rows_.noalias() = contact.bent_rows() * x;
   for (Index k = 0; k < n_sources; ++k)
     point.sources[static_cast<std::size_t>(k)][3] = rows_[size + 3 * k + 1];
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact.contact()];
-  const LocalState local =
-      equations_.local_state(contact.contact(), time, step_view_of(point.state));
-  const double acceleration =
-      equations_.gap_acceleration(contact.contact(), time, step_view_of(point.state),
-                                  ConstVectorView(point.rates.data() + n, n));
-  pair.law->evaluate(equations_.modes()[contact.contact()], local, response_);
-  const double force_rate =
-      response_.force_by_gap * local.gap_rate + response_.force_by_gap_rate * acceleration;
-  point.higher.resize(size, 1);
-  point.higher.col(0) = rows_.head(size) + response_.force * contact.bent_load();
+  point.higher.setZero(size, 1);
+  add_contact_rates(equations_, contact.contact(), response_, point);
+  point.higher.col(0).segment(n, n).array() /= equations_.model().mass().array();
+  point.higher.col(0) += rows_.head(size);
+  add_bent_force(contact, point);
   point.higher.col(0).head(n) = point.rates.segment(n, n);
-  point.higher.col(0).segment(n, n) +=
-      force_rate * pair.gap.row.transpose().cwiseQuotient(equations_.model().mass());
+}
+
+// C S b f, the law having been evaluated.
+void ContactSteps::add_bent_force(const PhaseEpisode &contact, EndPoint &point) const {
+  const contact::ContactPair &pair = contact.pair();
+  if (!pair.circle) {
+    point.higher.col(0) += response_.force * contact.bent_load();
+    return;
+  }
+  const contact::AcrossAxis force = pair.circle->force(
+      equations_.frame(contact.contact(), point.time, step_view_of(point.state)), response_);
+  for (int d = 0; d < 2; ++d)
+    point.higher.col(0) += force[static_cast<std::size_t>(d)] * contact.bent_load(d);
 }
 
 void ContactSteps::find_points(const PhaseEpisode &contact, double time, const Vector &state) {
@@ -75,9 +80,8 @@ void ContactSteps::find_points(const PhaseEpisode &contact, double time, const V
       amplitudes_.resize(contact.before().size());
       kernel().turn(contact.linear().phase().view(), contact.before().data(), t,
                     amplitudes_.data());
-      const auto terms = static_cast<std::size_t>(solved.terms());
-      contact.flow().add(contact.duration(), moments.data() + (i - 1) * terms, solved.terms(),
-                         amplitudes_.data());
+      contact.add_force(moments, shown.between.n_targets(), static_cast<int>(i) - 1,
+                        amplitudes_.data());
       amplitudes = amplitudes_.data();
     }
     points_[i].state = state;

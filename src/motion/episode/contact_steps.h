@@ -28,6 +28,7 @@ public:
 
 private:
   void fill(const PhaseEpisode &contact, double time, const double *amplitudes, EndPoint &point);
+  void add_bent_force(const PhaseEpisode &contact, EndPoint &point) const;
   void find_points(const PhaseEpisode &contact, double time, const Vector &state);
   void smooth_position(const EndPoint &neighbour, EndPoint &point) const;
   void smooth_positions();

@@ -10,8 +10,15 @@ ContactWork::ContactWork(const PowerForms &powers, const PhaseEpisode &contact,
     : powers_(powers), contact_(contact), equations_(equations), tolerance_(tolerance) {
   const StateLayout &layout = equations.layout();
   const auto own = static_cast<Index>(contact.contact());
+  const Index sliding = contact.pair().sliding_place;
+  const auto is_own = [&](Index entry) {
+    return entry == layout.impulse(own) || entry == layout.contact_work(own) ||
+           (sliding >= 0 &&
+            (entry == layout.friction_work(sliding) || entry == layout.wear_work(sliding) ||
+             entry == layout.sliding_way(sliding)));
+  };
   for (std::size_t k = 0; k < powers.size(); ++k)
-    if (powers.entry(k) != layout.impulse(own) && powers.entry(k) != layout.contact_work(own))
+    if (!is_own(powers.entry(k)))
       products_.push_back(static_cast<Index>(k));
 }
 
@@ -44,12 +51,12 @@ void ContactWork::add_powers(Vector &state) {
   QuadraturePoints &quadrature = solved.tools().quadrature(points());
   const std::vector<double> moments = solved.moments(quadrature.at_nodes);
   amplitudes_.resize(contact_.before().size());
+  sliding_way_ = 0;
   for (int i = 0; i < quadrature.at_nodes.n_targets(); ++i) {
     const double t = static_cast<double>(quadrature.rule.nodes[i]) * contact_.duration();
     kernel().turn(contact_.linear().phase().view(), contact_.before().data(), t,
                   amplitudes_.data());
-    contact_.flow().add(contact_.duration(), moments.data() + i * solved.terms(), solved.terms(),
-                        amplitudes_.data());
+    contact_.add_force(moments, quadrature.at_nodes.n_targets(), i, amplitudes_.data());
     values_ = constants_;
     values_.noalias() += factors_ * ConstVectorView(amplitudes_.data(), factors_.cols());
     const double weight = static_cast<double>(quadrature.rule.weights[i]) * contact_.duration();
@@ -58,26 +65,61 @@ void ContactWork::add_powers(Vector &state) {
       state[powers_.entry(static_cast<std::size_t>(products_[k]))] +=
           weight * values_[at] * values_[at + 1];
     }
+    if (contact_.pair().sliding_place >= 0)
+      sliding_way_ += weight * sliding_speed(amplitudes_.data());
   }
 }
 
-// - integral of f times the rate of the base, by the force's own integrals.
+// Of a contact in a circular gap, by u and u' within it.
+double ContactWork::sliding_speed(const double *amplitudes) {
+  const contact::ContactPair &pair = contact_.pair();
+  contact::RelativeMotion at;
+  for (int d = 0; d < 2; ++d) {
+    double derivatives[2];
+    contact_.output(d).free_motion(amplitudes, 2, derivatives);
+    at.position[static_cast<std::size_t>(d)] = derivatives[0];
+    at.rate[static_cast<std::size_t>(d)] = derivatives[1] * contact_.flow().fastest();
+  }
+  contact::LocalState local{.internal = contact_.force().internal()};
+  pair.circle->see(pair.circle->frame(at), local);
+  pair.law->evaluate(contact_.mode_within(), local, response_);
+  return response_.sliding_speed;
+}
+
+// - integral of f times the rate of the base, and of the surface, by the force's own integrals.
 double ContactWork::work_of_bases(double time) const {
-  const contact::ContactPair &pair = equations_.contacts().pairs()[contact_.contact()];
+  const contact::ContactPair &pair = contact_.pair();
   const ContactEpisode &solved = contact_.solution();
-  const auto end = solved.tools().at_nodes.term(0).row(solved.nodes());
-  double work = 0;
-  for (std::size_t k = 0; k < pair.gap.base_coefficients.size(); ++k) {
-    if (pair.gap.base_coefficients[k] == 0)
-      continue;
-    const model::TimeFunction &source = *equations_.model().sources()[k].function;
-    for (int j = 0; j < solved.nodes(); ++j) {
-      const double t = time + contact_.duration() * solved.tools().family.nodes()[j];
-      work -= contact_.duration() * end[j] * solved.forces()[j] * pair.gap.base_coefficients[k] *
-              source.rate(equations_.source_time(t));
+  Instants power{};
+  for (int d = 0; d < contact_.n_directions(); ++d) {
+    const std::vector<double> &bases = pair.along(d).projection->base_coefficients;
+    for (std::size_t k = 0; k < bases.size(); ++k) {
+      if (bases[k] == 0)
+        continue;
+      const model::TimeFunction &source = *equations_.model().sources()[k].function;
+      for (int j = 0; j < solved.nodes(); ++j) {
+        const double t = time + contact_.duration() * solved.tools().family.nodes()[j];
+        power[static_cast<std::size_t>(j)] -=
+            contact_.force_along(d, j) * bases[k] * source.rate(equations_.source_time(t));
+      }
     }
   }
-  return work;
+  if (pair.circle)
+    for (std::size_t j = 0; j < static_cast<std::size_t>(solved.nodes()); ++j)
+      power[j] -= solved.law().tangential[j] * pair.circle->surface_speed();
+  return solved.integral(power);
+}
+
+void ContactWork::add_friction(Vector &state) const {
+  const StateLayout &layout = equations_.layout();
+  const Index sliding = contact_.pair().sliding_place;
+  if (sliding < 0)
+    return;
+  state[layout.friction_work(sliding)] +=
+      contact_.solution().integral(contact_.solution().law().friction_power);
+  state[layout.wear_work(sliding)] +=
+      contact_.solution().integral(contact_.solution().law().wear_power);
+  state[layout.sliding_way(sliding)] += sliding_way_;
 }
 
 void ContactWork::add(double time, Vector &state) {
@@ -90,6 +132,7 @@ void ContactWork::add(double time, Vector &state) {
   state[layout.absolute_input_work()] += std::abs(state[layout.input_work()] - before);
   state[layout.impulse(own)] += contact_.solution().impulse();
   state[layout.contact_work(own)] += contact_.solution().dissipated();
+  add_friction(state);
 }
 
 } // namespace vibroimpact::motion

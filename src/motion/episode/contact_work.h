@@ -1,9 +1,9 @@
 // Energies and impulses over a contact that was solved as a whole.
 //
-// What the contact itself does follows from the integrals of its force. The powers of loads,
-// dampers and other contacts are products of linear forms of the motion, those of the linear phase,
-// and are smooth but for t^(n + 1) at both ends: m points of a Gauss rule leave about m^-7 of a
-// Hertz contact's share, 1e-6 of it with 10.
+// What the contact itself does follows from the integrals of its force, but for the way of sliding.
+// The powers of loads, dampers and other contacts are products of linear forms of the motion, those
+// of the linear phase, and are smooth but for t^(n + 1) at both ends: m points of a Gauss rule
+// leave about m^-7 of a Hertz contact's share, 1e-6 of it with 10.
 #pragma once
 
 #include "motion/episode/phase_episode.h"
@@ -29,6 +29,8 @@ private:
   int points() const;
   void add_powers(Vector &state);
   double work_of_bases(double time) const;
+  double sliding_speed(const double *amplitudes);
+  void add_friction(Vector &state) const;
 
   const PowerForms &powers_;
   const PhaseEpisode &contact_;
@@ -39,6 +41,8 @@ private:
   PhaseEpisode::Rows factors_;  ///< amplitudes to both factors of each
   Vector constants_, values_;
   Amplitudes amplitudes_;
+  double sliding_way_ = 0; ///< over the present contact [m]
+  contact::LawResponse response_;
 };
 
 } // namespace vibroimpact::motion

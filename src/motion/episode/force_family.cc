@@ -112,10 +112,10 @@ void ForceFamily::set_bernstein() {
   bernstein_ = extended::solve_fully_pivoted(values, scaled).cast<double>();
 }
 
-double ForceFamily::tail(const double *forces) const {
+double ForceFamily::tail(const double *forces, const double *whole) const {
   const Vector parts = coefficients_ * ConstVectorView(forces, size());
   const double last = std::max(std::abs(parts[1]), std::abs(parts[2]));
-  return last / std::abs(parts[0]);
+  return last / std::abs(coefficients_.row(0).dot(ConstVectorView(whole, size())));
 }
 
 bool ForceFamily::is_positive(const double *forces, bool falls_to_zero) const {

@@ -49,7 +49,9 @@ public:
 
   /// Part of f / w in its last two polynomials: the larger of their coefficients over the first, in
   /// the orthonormal polynomials of w. `forces`: size() values at the nodes.
-  double tail(const double *forces) const;
+  double tail(const double *forces) const { return tail(forces, forces); }
+  /// The same of a component, over the whole.
+  double tail(const double *forces, const double *whole) const;
   /// True when f / w is proven positive between the ends, by its Bernstein coefficients.
   /// `falls_to_zero`: it is zero at the end, which counts as positive.
   bool is_positive(const double *forces, bool falls_to_zero = false) const;

@@ -24,7 +24,9 @@ Vector entries(const Vector &all, const std::vector<int> &places) {
 
 } // namespace
 
-ForcedFlow::ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load) : load_(load) {
+ForcedFlow::ForcedFlow(const std::vector<FlowBlock> &blocks, const std::vector<Vector> &loads) {
+  for (const Vector &load : loads)
+    driven_.push_back({.load = load});
   for (const FlowBlock &block : blocks) {
     if (rotates(block.generator))
       turning_.push_back({.real = block.places[0],
@@ -34,23 +36,28 @@ ForcedFlow::ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load)
     else
       blocks_.push_back(block);
     fastest_ = std::max(fastest_, eigenvalues(block.generator).cwiseAbs().maxCoeff());
-    const Vector part = entries(load, block.places);
-    if (part.isZero(0))
-      continue;
-    if (rotates(block.generator)) {
-      pairs_.real.push_back(block.places[0]);
-      pairs_.imaginary.push_back(block.places[1]);
-      pairs_.rate.push_back(block.generator(0, 0));
-      pairs_.frequency.push_back(block.generator(1, 0));
-      pairs_.real_load.push_back(part[0]);
-      pairs_.imaginary_load.push_back(part[1]);
-    } else {
-      others_.push_back(block);
-      other_loads_.push_back(part);
-    }
+    for (Driven &driven : driven_)
+      add_block(block, driven);
   }
   if (fastest_ == 0)
     fastest_ = 1;
+}
+
+void ForcedFlow::add_block(const FlowBlock &block, Driven &driven) {
+  const Vector part = entries(driven.load, block.places);
+  if (part.isZero(0))
+    return;
+  if (rotates(block.generator)) {
+    driven.pairs.real.push_back(block.places[0]);
+    driven.pairs.imaginary.push_back(block.places[1]);
+    driven.pairs.rate.push_back(block.generator(0, 0));
+    driven.pairs.frequency.push_back(block.generator(1, 0));
+    driven.pairs.real_load.push_back(part[0]);
+    driven.pairs.imaginary_load.push_back(part[1]);
+  } else {
+    driven.others.push_back(block);
+    driven.other_loads.push_back(part);
+  }
 }
 
 Vector ForcedFlow::before(const Vector &row) const {
@@ -67,19 +74,22 @@ Vector ForcedFlow::before(const Vector &row) const {
   return result;
 }
 
-void ForcedFlow::add(double duration, const double *moments, int terms, double *x) const {
-  add_pairs(duration, moments, terms, x);
-  add_others(duration, moments, terms, x);
+void ForcedFlow::add(double duration, const double *moments, int terms, double *x,
+                     int direction) const {
+  add_pairs(duration, moments, terms, driven(direction), x);
+  add_others(duration, moments, terms, driven(direction), x);
 }
 
 // Horner's rule in the exponents, all pairs side by side.
-void ForcedFlow::add_pairs(double duration, const double *moments, int terms, double *x) const {
-  const std::size_t count = pairs_.size();
+void ForcedFlow::add_pairs(double duration, const double *moments, int terms, const Driven &driven,
+                           double *x) const {
+  const Pairs &pairs = driven.pairs;
+  const std::size_t count = pairs.size();
   sums_.assign(2 * count, 0);
   double *const real = sums_.data();
   double *const imaginary = real + count;
-  const double *const rate = pairs_.rate.data();
-  const double *const frequency = pairs_.frequency.data();
+  const double *const rate = pairs.rate.data();
+  const double *const frequency = pairs.frequency.data();
   for (int k = terms; k-- > 0;)
     for (std::size_t j = 0; j < count; ++j) {
       const double before = real[j];
@@ -87,26 +97,27 @@ void ForcedFlow::add_pairs(double duration, const double *moments, int terms, do
       imaginary[j] = duration * (frequency[j] * before + rate[j] * imaginary[j]);
     }
   for (std::size_t j = 0; j < count; ++j) {
-    const double a = pairs_.real_load[j];
-    const double b = pairs_.imaginary_load[j];
-    x[pairs_.real[j]] += duration * (real[j] * a - imaginary[j] * b);
-    x[pairs_.imaginary[j]] += duration * (real[j] * b + imaginary[j] * a);
+    const double a = pairs.real_load[j];
+    const double b = pairs.imaginary_load[j];
+    x[pairs.real[j]] += duration * (real[j] * a - imaginary[j] * b);
+    x[pairs.imaginary[j]] += duration * (real[j] * b + imaginary[j] * a);
   }
 }
 
-void ForcedFlow::add_others(double duration, const double *moments, int terms, double *x) const {
-  for (std::size_t b = 0; b < others_.size(); ++b) {
-    Vector sum = Vector::Zero(other_loads_[b].size());
+void ForcedFlow::add_others(double duration, const double *moments, int terms, const Driven &driven,
+                            double *x) {
+  for (std::size_t b = 0; b < driven.others.size(); ++b) {
+    Vector sum = Vector::Zero(driven.other_loads[b].size());
     for (int k = terms; k-- > 0;)
-      sum = moments[k] * other_loads_[b] + duration * (others_[b].generator * sum);
-    for (std::size_t i = 0; i < others_[b].places.size(); ++i)
-      x[others_[b].places[i]] += duration * sum[static_cast<Index>(i)];
+      sum = moments[k] * driven.other_loads[b] + duration * (driven.others[b].generator * sum);
+    for (std::size_t i = 0; i < driven.others[b].places.size(); ++i)
+      x[driven.others[b].places[i]] += duration * sum[static_cast<Index>(i)];
   }
 }
 
 ForcedOutput::ForcedOutput(const ForcedFlow &flow, Vector row, double constant, int terms)
     : flow_(flow), constant_(constant), last_(std::move(row)), rows_(flow.size(), 0),
-      responses_(0) {
+      responses_(static_cast<std::size_t>(flow.n_loads())) {
   require(terms);
 }
 
@@ -115,13 +126,15 @@ void ForcedOutput::require(int terms) {
   if (terms <= known)
     return;
   rows_.conservativeResize(Eigen::NoChange, terms);
-  responses_.conservativeResize(terms);
+  for (Vector &responses : responses_)
+    responses.conservativeResize(terms);
   for (int k = known; k < terms; ++k) {
     if (k > 0) {
       last_ = flow_.before(last_) / flow_.fastest();
       factorial_ *= k;
     }
-    responses_[k] = last_.dot(flow_.load());
+    for (int l = 0; l < flow_.n_loads(); ++l)
+      responses_[static_cast<std::size_t>(l)][k] = last_.dot(flow_.load(l));
     rows_.col(k) = last_ / factorial_;
   }
 }

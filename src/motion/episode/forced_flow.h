@@ -1,5 +1,5 @@
-// A linear system under one unknown force, x' = S x + b f, block by block, and what it makes of the
-// force over a step.
+// A linear system under an unknown force, x' = S x + b f, block by block, and what it makes of the
+// force over a step. A force along two directions has a load b for each.
 //
 //   x(t0 + X T) = exp(S X T) x0 + T sum over k of (T S)^k b (I_k f)(X)
 //
@@ -22,18 +22,21 @@ struct FlowBlock {
 
 class ForcedFlow {
 public:
-  /// `size`: of x; places that no block has stay zero. `load`: b, in units of x per second and
-  /// newton.
-  ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load);
+  /// `loads`: b of each direction, in units of x per second and newton, all of the size of x;
+  /// places that no block has stay zero.
+  ForcedFlow(const std::vector<FlowBlock> &blocks, const std::vector<Vector> &loads);
+  ForcedFlow(const std::vector<FlowBlock> &blocks, const Vector &load)
+      : ForcedFlow(blocks, std::vector{load}) {}
 
-  Index size() const { return load_.size(); }
-  const Vector &load() const { return load_; }
+  Index size() const { return load().size(); }
+  int n_loads() const { return static_cast<int>(driven_.size()); }
+  const Vector &load(int direction = 0) const { return driven(direction).load; }
   /// Largest |exponent| [1/s]; 1 where all are zero, where it only sets a scale.
   double fastest() const { return fastest_; }
   /// row S
   Vector before(const Vector &row) const;
   /// x += T sum over k of (T S)^k b moments[k]; moments: `terms` of them [N].
-  void add(double duration, const double *moments, int terms, double *x) const;
+  void add(double duration, const double *moments, int terms, double *x, int direction = 0) const;
 
 private:
   /// Blocks that rotate, which the force drives, in arrays.
@@ -42,8 +45,19 @@ private:
     std::vector<double> rate, frequency, real_load, imaginary_load;
     std::size_t size() const { return real.size(); }
   };
-  void add_pairs(double duration, const double *moments, int terms, double *x) const;
-  void add_others(double duration, const double *moments, int terms, double *x) const;
+  /// What a force along one direction drives.
+  struct Driven {
+    Vector load;
+    Pairs pairs{};
+    std::vector<FlowBlock> others{}; ///< all other blocks
+    std::vector<Vector> other_loads{};
+  };
+  const Driven &driven(int direction) const { return driven_[static_cast<std::size_t>(direction)]; }
+  static void add_block(const FlowBlock &block, Driven &driven);
+  void add_pairs(double duration, const double *moments, int terms, const Driven &driven,
+                 double *x) const;
+  static void add_others(double duration, const double *moments, int terms, const Driven &driven,
+                         double *x);
 
   /// Blocks that rotate: the places of both coordinates, rate, and frequency.
   struct Turning {
@@ -52,10 +66,7 @@ private:
   };
   std::vector<Turning> turning_;
   std::vector<FlowBlock> blocks_; ///< that do not rotate
-  Pairs pairs_;
-  std::vector<FlowBlock> others_; ///< all other blocks that it drives
-  std::vector<Vector> other_loads_;
-  Vector load_;
+  std::vector<Driven> driven_;    ///< by directions
   double fastest_ = 0;
   mutable std::vector<double> sums_; ///< real, then imaginary
 };
@@ -70,12 +81,14 @@ public:
 
   const ForcedFlow &flow() const { return flow_; }
   double constant() const { return constant_; }
-  int n_terms() const { return static_cast<int>(responses_.size()); }
+  int n_terms() const { return static_cast<int>(rows_.cols()); }
   /// size x terms, column k: row S^k / (k! fastest^k): with x0 the coefficients of the free motion
   /// in powers of fastest (t - t0).
   const Matrix &rows() const { return rows_; }
   /// g_k = row S^k b / fastest^k
-  const Vector &responses() const { return responses_; }
+  const Vector &responses(int direction = 0) const {
+    return responses_[static_cast<std::size_t>(direction)];
+  }
   /// Coefficients of the free motion from x0: the first `terms`, the constant in the first.
   void free_motion(const double *x, int terms, double *coefficients) const;
 
@@ -85,7 +98,7 @@ private:
   Vector last_; ///< row S^k / fastest^k of the last coefficient
   double factorial_ = 1;
   Matrix rows_;
-  Vector responses_;
+  std::vector<Vector> responses_; ///< to each load
 };
 
 } // namespace vibroimpact::motion

@@ -1,7 +1,6 @@
 #include "motion/interval/guard_forms.h"
 
 #include "common/error.h"
-#include "motion/interval/guard_products.h"
 
 namespace vibroimpact::motion {
 
@@ -69,10 +68,19 @@ contact::AffineForm force_along(const contact::Mode &mode, int direction) {
              : mode.affine->tangential_force[static_cast<std::size_t>(direction - 1)];
 }
 
+Index GuardForms::n_guards() const {
+  Index count = constants.size();
+  if (products)
+    for (const GuardProduct &product : *products)
+      count -= static_cast<Index>(product.forms.size());
+  return count;
+}
+
 GuardForms guard_forms(const Equations &equations) {
   const auto n_sources = static_cast<Index>(equations.model().sources().size());
   GuardForms forms{.rows = Matrix(0, equations.layout().physical_size() + 3 * n_sources),
-                   .constants = Vector(0)};
+                   .constants = Vector(0),
+                   .products = guard_products(equations)};
   const auto add = [&](const LinearRow &form) {
     const Index last = forms.rows.rows();
     forms.rows.conservativeResize(last + 1, Eigen::NoChange);
@@ -83,8 +91,8 @@ GuardForms guard_forms(const Equations &equations) {
   for (std::size_t c = 0; c < equations.contacts().size(); ++c)
     for (const contact::Guard &guard : equations.mode(c).guards)
       add(linear_row(equations, c, guard.indicator));
-  if (const auto products = guard_products(equations))
-    for (const GuardProduct &product : *products)
+  if (forms.products)
+    for (const GuardProduct &product : *forms.products)
       for (const contact::AffineForm &form : product.forms)
         add(linear_row(equations, product.contact, form));
   return forms;

@@ -1,6 +1,7 @@
 // What laws see of a motion, as linear forms of what a linear phase computes.
 #pragma once
 
+#include "motion/interval/guard_products.h"
 #include "motion/system/linear_system.h"
 
 namespace vibroimpact::motion {
@@ -22,10 +23,15 @@ LinearRow tangent_row(const Equations &equations, std::size_t contact,
 /// The force along a direction in a mode that is affine: that of the law, or the one that holds it.
 contact::AffineForm force_along(const contact::Mode &mode, int direction);
 
-/// The guards of the contacts' present modes: constants + rows * [y, sources].
+/// The guards of the contacts' present modes: constants + rows * [y, sources]. Those that are sums
+/// of squares have the forms of these behind all guards, and rows of no value.
 struct GuardForms {
-  Matrix rows;      ///< guards x (physical size + 3 sources)
-  Vector constants; ///< guards
+  Matrix rows;      ///< forms x (physical size + 3 sources)
+  Vector constants; ///< forms
+  /// None: a guard of a circular gap is of another kind.
+  std::optional<std::vector<GuardProduct>> products = std::vector<GuardProduct>{};
+
+  Index n_guards() const;
 };
 
 GuardForms guard_forms(const Equations &equations);

@@ -6,6 +6,19 @@
 
 namespace vibroimpact::motion {
 
+namespace {
+
+bool must_see_steps(Observer &observer, const Equations &equations) {
+  if (observer.sees_steps(equations))
+    return true;
+  std::vector<Output> outputs;
+  observer.outputs(equations, outputs);
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [&](const Output &output) { return !is_linear(*output.form, equations); });
+}
+
+} // namespace
+
 void Audience::ask(const Equations &equations) {
   outputs.clear();
   for (Observer *observer : list)
@@ -42,7 +55,7 @@ void Observers::event(const ContactEvent &event) const {
 Audience Observers::those(bool in_steps, const Equations &equations) const {
   Audience audience;
   std::copy_if(list_.begin(), list_.end(), std::back_inserter(audience.list),
-               [&](const Observer *one) { return one->sees_steps(equations) == in_steps; });
+               [&](Observer *one) { return must_see_steps(*one, equations) == in_steps; });
   audience.ask(equations);
   return audience;
 }

@@ -53,7 +53,8 @@ public:
   /// before the part by which they grow is shown.
   virtual void outputs(const Equations & /*equations*/, std::vector<Output> & /*list*/) {}
   /// Must it see steps in the present modes where the motion is known in closed form? Then its
-  /// ranges grow by their polynomials, too. In a contact that is solved as a whole all see steps
+  /// ranges grow by their polynomials, too. So it does, asked or not, where one of its outputs is
+  /// not linear in the motion. In a contact that is solved as a whole all see steps
   /// as soon as one does.
   virtual bool sees_steps(const Equations & /*equations*/) const { return true; }
   /// Does it follow the equations of each phase itself? Then it sees steps wherever the motion is

@@ -81,6 +81,20 @@ LinearForm linear_form(const OutputForm &form, const Equations &equations) {
       form);
 }
 
+bool is_linear(const OutputForm &form, const Equations &equations) {
+  const auto straight = [&](std::size_t contact) {
+    return !equations.contacts().pairs()[contact].circle;
+  };
+  return std::visit(Overloaded{[&](const GapForm &gap) { return straight(gap.contact); },
+                               [&](const SlipForm &slip) { return straight(slip.contact); },
+                               [&](const FrictionForm &friction) {
+                                 return equations.mode(friction.contact).affine.has_value();
+                               },
+                               [](const CurveForm & /*curve*/) { return false; },
+                               [](const auto & /*others*/) { return true; }},
+                    form);
+}
+
 Bernstein curve(const OutputForm &form, const StepView &view) {
   return std::visit(Overloaded{[&](const PointForm &point) {
                                  return point.order == 0   ? view.displacement(point.projection)

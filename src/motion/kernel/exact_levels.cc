@@ -41,14 +41,14 @@ std::size_t ExactPhase::Level::bytes() const {
 
 ExactPhase::Level &ExactPhase::allocate_level(int index) {
   const auto n = static_cast<std::size_t>(view_.n_padded);
-  const auto guards = static_cast<std::size_t>(view_.n_guards);
+  const auto forms = static_cast<std::size_t>(view_.n_forms);
   const auto columns = static_cast<std::size_t>(view_.n_groups + view_.n_pairs);
   auto level = std::make_unique<Level>();
   level->length = h0_ * std::exp2(-0.5 * index);
   level->turn.assign(2 * n, 0);
   level->growth.assign(n, 1);
-  level->table.assign(guards * columns * 8, 0);
-  level->bounds.assign(guards * 3 * n, 0);
+  level->table.assign(forms * columns * 8, 0);
+  level->bounds.assign(forms * 3 * n, 0);
   return *(levels_[static_cast<std::size_t>(index)] = std::move(level));
 }
 

@@ -49,6 +49,12 @@ struct DenseBlockView {
   const double *generator = nullptr; ///< B, size x size, row by row [1/s]
 };
 
+/// A guard that is a sum of squares of three linear forms f: scale (f_0^2 - f_1^2 - f_2^2).
+struct SquaresView {
+  int first = 0; ///< f_0 among the forms, the others behind it; 0: the guard is a form itself
+  double scale = 0;
+};
+
 /// All that belongs to pieces of one length. Null pointers: not made yet.
 struct LevelView {
   double length = 0;            ///< h [s]
@@ -56,25 +62,27 @@ struct LevelView {
   /// bound of the growth of each group's magnitude within the piece; of dense blocks exp(|B| h),
   /// entry by entry, which bounds exp(B t) likewise
   const double *growth = nullptr, *dense_growth = nullptr;
-  const double *table = nullptr;  ///< guards x (groups, then pairs) x 8 Bernstein coefficients
-  const double *bounds = nullptr; ///< guards x orders x groups: of |f - p| / tau^r by magnitude
+  const double *table = nullptr;  ///< forms x (groups, then pairs) x 8 Bernstein coefficients
+  const double *bounds = nullptr; ///< forms x orders x groups: of |f - p| / tau^r by magnitude
   const double *dense = nullptr;  ///< exp(B h) of the dense blocks
 };
 
+/// The first forms are the guards, but for those that are sums of squares of later ones.
 struct PhaseView {
-  int n_groups = 0, n_padded = 0, n_guards = 0;
+  int n_groups = 0, n_padded = 0, n_guards = 0, n_forms = 0;
   int n_pairs = 0; ///< the first groups have an imaginary part
   int n_dense = 0;
   const DenseBlockView *dense = nullptr;
   const double *rate = nullptr, *frequency = nullptr; ///< real and imaginary parts of e [1/s]
-  /// guards x 4 x 2 x groups: the coefficients of real and imaginary parts of the amplitudes in f
+  /// forms x 4 x 2 x groups: the coefficients of real and imaginary parts of the amplitudes in f
   /// and its first three derivatives
   const double *rows = nullptr;
-  const double *sizes = nullptr;  ///< guards x groups: what c was summed up from
-  const double *second = nullptr; ///< guards x groups: bound of the second derivative
-  const double *third = nullptr;  ///< guards x groups: bound of the third derivative
-  const double *constants = nullptr, *constant_sizes = nullptr; ///< guards
-  const double *weights = nullptr; ///< groups: of the size of all guards, then of their error
+  const double *sizes = nullptr; ///< forms x groups: what c was summed up from
+  /// forms x groups: bounds of the first three derivatives
+  const double *slopes = nullptr, *second = nullptr, *third = nullptr;
+  const double *constants = nullptr, *constant_sizes = nullptr; ///< forms
+  const SquaresView *squares = nullptr; ///< guards; null: all of them are forms
+  const double *weights = nullptr;      ///< groups: of the size of all guards, then of their error
   double constant_weight = 0;
   double fastest = 0; ///< largest |e| [1/s]
   LevelView *levels = nullptr;
@@ -108,7 +116,7 @@ struct MarchState {
   double *turned = nullptr;       ///< the same a little later; scratch, and those at a crossing
   double *magnitudes = nullptr;   ///< scratch: groups, |real| + |imaginary|
   double *reach = nullptr;        ///< scratch: groups, bound of that within a piece
-  const double *noise = nullptr;  ///< guards: rounding of the amplitudes, as it shows in each
+  const double *noise = nullptr;  ///< forms: rounding of the amplitudes, as it shows in each
   unsigned char *order = nullptr; ///< guards: of their zero at the start
   double tolerated = 1e-4;        ///< error of a piece, relative to the sizes of the guards
   double time = 0;                ///< since the start [s]
@@ -165,12 +173,13 @@ struct Kernel {
   /// The extremes grow by the motion between two instants, `length` apart [s].
   void (*include_part)(const PhaseView &phase, OutputsView &outputs, const double *from,
                        const double *to, double length);
-  /// Value and first three derivatives of a guard.
+  /// Value and first three derivatives of a guard, or of a form behind the guards.
   void (*derivatives)(const PhaseView &phase, int guard, const double *amplitudes, double *values);
-  /// What a guard is summed up from: guard_rounding times that is what rounding may hide of it.
-  double (*guard_size)(const PhaseView &phase, int guard, const double *amplitudes);
-  /// What the rounding of the amplitudes (n_padded) makes of each guard.
-  void (*guard_noise)(const PhaseView &phase, const double *rounding, double *noise);
+  /// What rounding may hide of a guard, `noise` (forms) being that of the amplitudes.
+  double (*guard_margin)(const PhaseView &phase, int guard, const double *amplitudes,
+                         const double *noise);
+  /// What the rounding of the amplitudes (n_padded) makes of each form.
+  void (*form_noise)(const PhaseView &phase, const double *rounding, double *noise);
   /// `rounding`: n_padded, of the amplitudes.
   void (*change)(const ChangeView &change, const double *from, double *to, double *rounding);
   /// The integrals from one instant to another, `length` later [s]; all n_blocks x 8 of them.

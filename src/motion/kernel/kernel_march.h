@@ -1,18 +1,16 @@
 // Propagation piece by piece, up to the first crossing; included by the kernel_*.cc only.
 #pragma once
 
-#include "motion/kernel/kernel_turn.h"
-#include "motion/kernel/kernel_zero.h"
+#include "motion/kernel/kernel_guards.h"
 
 namespace vibroimpact::motion {
 namespace {
 
 enum class Verdict { positive, crossing, unclear };
 
-constexpr double interpolation_rounding = 128 * epsilon;
-class March {
+class March : private GuardBounds {
 public:
-  March(const PhaseView &phase, MarchState &walk) : p_(phase), w_(walk) {}
+  March(const PhaseView &phase, MarchState &walk) : GuardBounds(phase, walk) {}
 
   MarchEnd advance(double limit) {
     for (int i = 0; w_.time < limit; ++i) {
@@ -35,10 +33,6 @@ private:
   double *real() const { return w_.amplitudes; }
   double *imaginary() const { return w_.amplitudes + p_.n_padded; }
 
-  double margin(int guard) const {
-    return guard_rounding * guard_size(p_, guard, w_.amplitudes) + w_.noise[guard];
-  }
-
   void measure() {
     for (int b = 0; b < p_.n_padded; b += group_block)
       store(w_.magnitudes + b, magnitude(load(real() + b)) + magnitude(load(imaginary() + b)));
@@ -53,13 +47,6 @@ private:
       turn_dense(e, p_.dense[d], w_.magnitudes, w_.reach);
       e += p_.dense[d].size * p_.dense[d].size;
     }
-  }
-
-  double weighted(const double *weights, const double *magnitudes) const {
-    V8 s = all(0);
-    for (int b = 0; b < p_.n_padded; b += group_block)
-      s = fused(load(weights + b), load(magnitudes + b), s);
-    return sum(s);
   }
 
   // A guard that seems zero where the piece begins, without having been passed there, as where a
@@ -203,36 +190,6 @@ private:
     }
   }
 
-  V8 coefficients(const LevelView &l, int guard) const {
-    const double *t = l.table + guard * (p_.n_groups + p_.n_pairs) * 8;
-    const double *re = real();
-    const double *im = imaginary();
-    V8 even = all(p_.constants[guard]);
-    V8 odd = all(0);
-    int j = 0;
-    for (; j + 1 < p_.n_groups; j += 2) {
-      even = fused(all(re[j]), load(t + 8 * j), even);
-      odd = fused(all(re[j + 1]), load(t + 8 * j + 8), odd);
-    }
-    if (j < p_.n_groups)
-      even = fused(all(re[j]), load(t + 8 * j), even);
-    t += 8 * p_.n_groups;
-    for (j = 0; j + 1 < p_.n_pairs; j += 2) {
-      even = fused(all(im[j]), load(t + 8 * j), even);
-      odd = fused(all(im[j + 1]), load(t + 8 * j + 8), odd);
-    }
-    if (j < p_.n_pairs)
-      odd = fused(all(im[j]), load(t + 8 * j), odd);
-    return even + odd;
-  }
-
-  double error(const LevelView &l, int guard, int order) const {
-    const double *bounds = l.bounds + (guard * (largest_order + 1) + order) * p_.n_padded;
-    return weighted(bounds, w_.reach) +
-           order_factor[order] *
-               (interpolation_rounding * p_.constant_sizes[guard] + w_.noise[guard]);
-  }
-
   // Two crossings that rounding alone cannot tell apart are taken one after the other.
   Verdict judge(const LevelView &l, int trial, double rest, Zero &first) {
     Zero second;
@@ -246,31 +203,60 @@ private:
     return by_rounding(l, first) && by_rounding(l, second) ? Verdict::crossing : Verdict::unclear;
   }
 
-  // Most of the error of the polynomial comes from rounding.
-  bool by_rounding(const LevelView &l, const Zero &zero) const {
-    const double of_rounding =
-        interpolation_rounding *
-        (weighted(p_.sizes + zero.guard * p_.n_padded, w_.reach) + p_.constant_sizes[zero.guard]);
-    return error(l, zero.guard, 0) <= 4 * of_rounding + w_.noise[zero.guard];
-  }
-
   Verdict judge_guard(const LevelView &l, int g, int trial, double rest, Zero &first,
                       Zero &second) {
     const int r = w_.order[g];
-    const double e = error(l, g, r);
+    if (const SquaresView *squares = squares_of(p_, g))
+      return judge_squares(l, g, *squares, trial, rest, first, second);
+    const double e = form_error(l, g, r);
     const V8 f = r > 0 ? coefficients(l, g) * load(order_weights[r - 1]) : coefficients(l, g);
-    const unsigned judged = 0xffu & ~((1u << r) - 1);
+    constexpr unsigned lanes = 0xff;
+    const unsigned judged = lanes & ~((1u << r) - 1);
     const unsigned low = below_or_equal(f, all(e)) & judged;
     const unsigned negative = below(f, all(0) - all(e)) & judged;
     if (low == 0)
       return Verdict::positive;
-    if (contiguous(low) && contiguous(negative) && (low >> r & 1) == 0) {
+    if (contiguous(low, lanes) && contiguous(negative, lanes) && (low >> r & 1) == 0) {
       double b[8];
       store(b, f);
-      add_zero(polynomial_zero(g, r, b, low, e), first, second);
+      add_zero(polynomial_zero(g, Polynomial(b, r), crossing_of(b, r, table_degree, low), e), first,
+               second);
       return Verdict::crossing;
     }
-    if (r == 0 && (low & 1) != 0)
+    return judge_closer(l, g, (low & 1) != 0, trial, rest, first, second);
+  }
+
+  Verdict judge_squares(const LevelView &l, int g, const SquaresView &squares, int trial,
+                        double rest, Zero &first, Zero &second) {
+    const int r = w_.order[g];
+    const SquaresOverPiece piece = over_piece(l, squares);
+    const double e = error(l, piece, r);
+    double b[16];
+    piece.coefficients(b);
+    if (r > 0)
+      for (int k = 0; k < 16; k += 8)
+        store(b + k, load(b + k) * load(of_squares.order_weights[r - 1] + k));
+    const unsigned judged = lanes_of_square & ~((1u << r) - 1);
+    const unsigned low =
+        (below_or_equal(load(b), all(e)) | below_or_equal(load(b + 8), all(e)) << 8) & judged;
+    const unsigned negative = (below(load(b), all(-e)) | below(load(b + 8), all(-e)) << 8) & judged;
+    if (low == 0)
+      return Verdict::positive;
+    if (contiguous(low, lanes_of_square) && contiguous(negative, lanes_of_square) &&
+        (low >> r & 1) == 0) {
+      add_zero(polynomial_zero(g, SquaresPolynomial(piece, r),
+                               crossing_of(b, r, 2 * table_degree, low), e),
+               first, second);
+      return Verdict::crossing;
+    }
+    return judge_closer(l, g, (low & 1) != 0, trial, rest, first, second);
+  }
+
+  // Of a guard whose coefficients prove nothing; `at_start`: the first of them is that low.
+  Verdict judge_closer(const LevelView &l, int g, bool at_start, int trial, double rest,
+                       Zero &first, Zero &second) {
+    const int r = w_.order[g];
+    if (r == 0 && at_start)
       if (const Verdict edge = judge_edge(g, first, second); edge != Verdict::unclear || again_)
         return edge;
     if (trial < trials_before_touch || r > 0)
@@ -297,7 +283,7 @@ private:
     derivatives(p_, g, w_.amplitudes, start);
     turn(p_, w_.amplitudes, h, w_.turned);
     derivatives(p_, g, w_.turned, end);
-    const double third = weighted(p_.third + g * p_.n_padded, w_.reach);
+    const double third = third_derivative(g);
     const double least = start[2] < end[2] ? start[2] : end[2];
     const double m = margin(g);
     if (!(least - 0.5 * third * h > 0) || !(start[0] > m))
@@ -399,7 +385,7 @@ private:
         return Step::unclear;
     }
     const double error_there = error(l, g, w_.order[g]);
-    const double second = weighted(p_.second + g * p_.n_padded, w_.reach);
+    const double second = second_derivative(g);
     double zone = error_there;
     for (int i = 0; i < w_.order[g]; ++i)
       zone *= zero.tau;
@@ -432,8 +418,6 @@ private:
   static constexpr int trials_before_touch = 2;
   static constexpr int most_corrections = 60;
 
-  const PhaseView &p_;
-  MarchState &w_;
   long touches_ = 0;   ///< in the present trial
   bool again_ = false; ///< the same piece is to be judged with another order
 };

@@ -98,7 +98,7 @@ inline void turn_little(const PhaseView &p, double t, double *amplitudes) {
   }
 }
 
-// The first `count` derivatives of a guard.
+// The first `count` derivatives of a linear form, but for its constant.
 template <int count>
 inline void sum_rows(const double *rows, int n, const double *amplitudes, double *values) {
   V8 s[count];
@@ -114,38 +114,6 @@ inline void sum_rows(const double *rows, int n, const double *amplitudes, double
   }
   for (int r = 0; r < count; ++r)
     values[r] = sum(s[r]);
-}
-
-inline void derivatives(const PhaseView &p, int guard, const double *amplitudes, double *values) {
-  sum_rows<4>(p.rows + guard * 8 * p.n_padded, p.n_padded, amplitudes, values);
-  values[0] += p.constants[guard];
-}
-
-inline void low_derivatives(const PhaseView &p, int guard, const double *amplitudes,
-                            double *values) {
-  sum_rows<2>(p.rows + guard * 8 * p.n_padded, p.n_padded, amplitudes, values);
-  values[0] += p.constants[guard];
-}
-
-inline double guard_size(const PhaseView &p, int guard, const double *amplitudes) {
-  const int n = p.n_padded;
-  const double *sizes = p.sizes + guard * n;
-  V8 total = all(0);
-  for (int b = 0; b < n; b += group_block) {
-    const V8 re = load(amplitudes + b);
-    const V8 im = load(amplitudes + n + b);
-    total = fused(load(sizes + b), square_root(fused(re, re, im * im)), total);
-  }
-  return p.constant_sizes[guard] + sum(total);
-}
-
-inline void guard_noise(const PhaseView &p, const double *rounding, double *noise) {
-  for (int guard = 0; guard < p.n_guards; ++guard) {
-    V8 total = all(0);
-    for (int b = 0; b < p.n_padded; b += group_block)
-      total = fused(load(p.sizes + guard * p.n_padded + b), load(rounding + b), total);
-    noise[guard] = sum(total);
-  }
 }
 
 inline void change(const ChangeView &change, const double *from, double *to, double *rounding) {

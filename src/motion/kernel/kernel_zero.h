@@ -22,10 +22,10 @@ constexpr double order_weights[largest_order][8] = {
 // Their largest entries, by which rounding grows.
 constexpr double order_factor[] = {1, 7, 21};
 
-// The set bits reach without a gap up to the highest of the eight.
-inline bool contiguous(unsigned mask) {
+// The set bits reach without a gap up to the highest of `lanes`, which are the lowest bits.
+inline bool contiguous(unsigned mask, unsigned lanes) {
   const unsigned above = mask | (mask - 1);
-  return (mask & 0x80) != 0 && above == 0xff;
+  return (mask & (lanes ^ (lanes >> 1))) != 0 && above == lanes;
 }
 
 constexpr double binomial(int n, int k) {
@@ -88,16 +88,20 @@ private:
   double value_[8], slope_[8], bend_[8];
 };
 
-// The only zero of a polynomial given by Bernstein coefficients of degree 7 - r: from where its
-// control polygon crosses, by Halley's method in a bracket.
-inline Zero polynomial_zero(int guard, int r, const double *b, unsigned low, double e) {
+// Where a control polygon of b_r ... b_last crosses zero, `low` being the first that is not above.
+inline double crossing_of(const double *b, int r, int last, unsigned low) {
   const int i0 = __builtin_ctz(low);
-  double x = (i0 - 1 - r + b[i0 - 1] / (b[i0 - 1] - b[i0])) / (table_degree - r);
+  return (i0 - 1 - r + b[i0 - 1] / (b[i0 - 1] - b[i0])) / (last - r);
+}
+
+// The only zero of a polynomial, which falls there, by Halley's method in a bracket, from x on; e:
+// its error.
+template <class Function>
+inline Zero polynomial_zero(int guard, const Function &polynomial, double x, double e) {
   double lower = 0;
   double upper = 1;
   double slope = 0;
   bool settled = false;
-  const Polynomial polynomial(b, r);
   for (int i = 0; i < 30; ++i) {
     double p = 0;
     double bend = 0;

@@ -100,7 +100,7 @@ KnownPhase &ExactPath::prepare_start(double time) {
 // A guard that has just been passed is zero within what its location has left. False: it falls at
 // once.
 bool ExactPath::start_from(double time, std::span<const ZeroGuard> zero) {
-  if (!exact_phases_.linear() || !exact_phases_.take_sources(time))
+  if (!phases_.known() || !exact_phases_.take_sources(time))
     return false;
   KnownPhase &known = prepare_start(time);
   const auto was_zero = [&](std::size_t g) {
@@ -185,10 +185,11 @@ bool ExactPath::change_phase(double limit, long &most_events) {
   if (time - last_event_ <= time_tolerance(time) || progress_.slow() || exact_phases_.crowded())
     return false;
   const FrictionRoutes::Route *route = nullptr;
-  Transition *const next = has_friction(passed_guard().contact) && !is_rigid(passed_guard().contact)
-                               ? phases_.friction_transition(*known_, passed, march_.turned,
-                                                             guards_.rounding().data(), route)
-                               : phases_.transition(*known_, passed);
+  Transition *const next =
+      has_plane_friction(passed_guard().contact) && !is_rigid(passed_guard().contact)
+          ? phases_.friction_transition(*known_, passed, march_.turned, guards_.rounding().data(),
+                                        route)
+          : phases_.transition(*known_, passed);
   if (!next && !route) {
     const std::optional<StepReason> left =
         most_events > 0 ? pass_contact(time, passed, limit) : StepReason::interrupted;

@@ -95,6 +95,10 @@ private:
   bool has_friction(std::size_t contact) const {
     return !equations_.contacts().pairs()[contact].tangential.empty();
   }
+  /// Along the plane of a contact: its guards are forms of the motion.
+  bool has_plane_friction(std::size_t contact) const {
+    return has_friction(contact) && !equations_.contacts().pairs()[contact].circle;
+  }
   std::optional<StepReason> pass_contact(double time, std::size_t passed, double limit);
   bool enter_behind(Transition *behind, const PhaseEpisode &contact);
   int rising_order(const KnownPhase &phase, std::size_t guard, const double *amplitudes,

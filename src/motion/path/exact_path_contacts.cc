@@ -41,7 +41,7 @@ bool ExactPath::enter_behind(Transition *behind, const PhaseEpisode &contact) {
 // From the touch to the end of the force, in the present phase, and into that behind. A reason: it
 // is left to others; nothing has changed.
 std::optional<StepReason> ExactPath::pass_contact(double time, std::size_t passed, double limit) {
-  ContactPart *const part = phases_.contact_beyond(*known_, passed);
+  ContactPart *const part = phases_.contact_beyond(*known_, passed, time, march_.turned);
   if (!part)
     return StepReason::law;
   PhaseEpisode *const contact = part->contact.get();

@@ -31,7 +31,7 @@ double slope_size(const PhaseView &view, std::size_t guard, const double *amplit
 // rounding.
 int ExactPath::rising_order(const KnownPhase &phase, std::size_t guard, const double *amplitudes,
                             const double *derivatives) const {
-  if (has_friction(phase.guards()[guard].contact)) {
+  if (has_plane_friction(phase.guards()[guard].contact)) {
     const double noise = guard_rounding * slope_size(phase.view(), guard, amplitudes) +
                          2 * time_tolerance(origin_) * std::abs(derivatives[2]);
     if (std::abs(derivatives[1]) <= noise)

@@ -1,7 +1,6 @@
 #include "motion/path/exact_stepper.h"
 
 #include "common/error.h"
-#include "motion/interval/guard_products.h"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +16,9 @@ namespace vibroimpact::motion {
 // any use. The sixth derivative of a square is the sum of C(6, k) f^(k) f^(6 - k).
 class ExactStepper::Guards : public GuardCurves {
 public:
-  void start(const Equations &equations, const LinearPhase &known, ExactPhase &phase,
-             const Amplitudes &amplitudes) {
-    products_ = guard_products(equations).value();
+  void start(const LinearPhase &known, ExactPhase &phase, const Amplitudes &amplitudes) {
     forms_ = &known.forms().guard_forms();
+    products_ = forms_->products.value();
     phase_ = &phase;
     amplitudes_ = &amplitudes;
     turned_.resize(amplitudes.size());
@@ -181,7 +179,8 @@ ExactStepper::ExactStepper(const Equations &equations, const Settings &settings)
 ExactStepper::~ExactStepper() = default;
 
 bool ExactStepper::handles(double time) {
-  return phases_.linear() && guard_products(equations_) && phases_.take_sources(time);
+  const LinearPhase *const phase = phases_.find();
+  return phase && phase->forms().guard_forms().products && phases_.take_sources(time);
 }
 
 void ExactStepper::restart(double time, const Vector &x) {
@@ -243,7 +242,7 @@ void ExactStepper::step(double limit) {
 }
 
 const GuardCurves *ExactStepper::guard_curves() {
-  guards_->start(equations_, *phase_, phase_->phase(), from_);
+  guards_->start(*phase_, phase_->phase(), from_);
   return guards_.get();
 }
 

@@ -14,9 +14,9 @@ bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> co
                           const double *amplitudes, const AlignedArray &rounding,
                           const KnownTo &known_to, const Order &order) {
   const std::vector<PhaseGuard> &guards = phase.guards();
-  noise_.resize(guards.size());
+  noise_.resize(static_cast<std::size_t>(phase.view().n_forms));
   order_.assign(guards.size(), 0);
-  kernel_.guard_noise(phase.view(), rounding.data(), noise_.data());
+  kernel_.form_noise(phase.view(), rounding.data(), noise_.data());
   for (std::size_t g = 0; g < guards.size(); ++g) {
     if (contact && guards[g].contact != *contact)
       continue;
@@ -35,15 +35,14 @@ bool GuardsAtStart::enter(const KnownPhase &phase, std::optional<std::size_t> co
 }
 
 void GuardsAtStart::stay(const KnownPhase &phase) {
-  noise_.resize(phase.guards().size());
+  noise_.resize(static_cast<std::size_t>(phase.view().n_forms));
   order_.assign(phase.guards().size(), 0);
-  kernel_.guard_noise(phase.view(), rounding_.data(), noise_.data());
+  kernel_.form_noise(phase.view(), rounding_.data(), noise_.data());
 }
 
 double GuardsAtStart::hidden(const PhaseView &view, std::size_t guard,
                              const double *amplitudes) const {
-  return guard_rounding * kernel_.guard_size(view, static_cast<int>(guard), amplitudes) +
-         noise_[guard];
+  return kernel_.guard_margin(view, static_cast<int>(guard), amplitudes, noise_.data());
 }
 
 } // namespace vibroimpact::motion

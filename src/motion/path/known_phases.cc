@@ -38,7 +38,9 @@ std::size_t Transition::bytes() const {
   std::size_t sum = bytes_of(proportion) + (change ? change->bytes() : 0);
   for (const auto &[mode, transition] : behind)
     sum += transition->bytes();
-  return sum + (contact ? contact->bytes() : 0) + (routes ? routes->bytes() : 0);
+  for (const auto &[mode, contact] : contacts)
+    sum += contact ? contact->bytes() : 0;
+  return sum + (routes ? routes->bytes() : 0);
 }
 
 std::size_t KnownPhase::bytes() const {
@@ -64,9 +66,13 @@ void KnownPhases::set_modes(const std::vector<int> &modes) {
     equations_.set_mode(c, modes[c]);
 }
 
+bool KnownPhases::known() const {
+  const LinearPhase *const linear = phases_.find();
+  return linear && linear->forms().guard_forms().products;
+}
+
 KnownPhase *KnownPhases::present() {
-  LinearPhase *const linear = phases_.present();
-  return linear ? &linear->part<KnownPhase>() : nullptr;
+  return known() ? &phases_.present()->part<KnownPhase>() : nullptr;
 }
 
 // Under the present excitation.
@@ -94,8 +100,10 @@ Transition *KnownPhases::transition(KnownPhase &from, std::size_t guard) {
   return known.get();
 }
 
+// Where friction begins in a circular gap, none of the modes beyond is linear.
 Transition KnownPhases::find_transition(const KnownPhase &from, const PhaseGuard &passed) {
-  if (equations_.contacts().pairs()[passed.contact].law->rigid())
+  const contact::ContactPair &pair = equations_.contacts().pairs()[passed.contact];
+  if (pair.law->rigid() || (pair.circle && begins_friction(from, passed)))
     return {};
   set_modes_of(from);
   const LinearRow form = linear_row(equations_, passed.contact, indicator(equations_, passed));
@@ -109,18 +117,42 @@ Transition KnownPhases::find_transition(const KnownPhase &from, const PhaseGuard
   return transition;
 }
 
-ContactPart *KnownPhases::contact_beyond(KnownPhase &from, std::size_t guard) {
-  Transition &known = *from.transitions[guard];
-  if (!known.contact_known) {
-    known.contact_known = true;
+bool KnownPhases::begins_friction(const KnownPhase &from, const PhaseGuard &passed) const {
+  const auto mode = static_cast<std::size_t>(from.linear.forms().contact_modes()[passed.contact]);
+  const contact::ContactLaw &law = *equations_.contacts().pairs()[passed.contact].law;
+  return law.modes()[mode].guards[passed.guard].by_slip;
+}
+
+// That of the guard, or where friction begins the one by what the sides slide at.
+int KnownPhases::mode_beyond(KnownPhase &from, std::size_t guard, double time,
+                             const double *amplitudes) {
+  const PhaseGuard &passed = from.guards()[guard];
+  if (!begins_friction(from, passed))
+    return passed.target;
+  const contact::ContactLaw &law = *equations_.contacts().pairs()[passed.contact].law;
+  set_modes_of(from);
+  state_.setZero(equations_.layout().size());
+  from.phase().state(amplitudes, state_.data());
+  return law.mode_by_slip(
+      passed.target,
+      equations_.local_state(passed.contact, time, ConstVectorView(state_.data(), state_.size())));
+}
+
+ContactPart *KnownPhases::contact_beyond(KnownPhase &from, std::size_t guard, double time,
+                                         const double *amplitudes) {
+  const int mode = mode_beyond(from, guard, time, amplitudes);
+  const auto [known, unknown] = from.transitions[guard]->contacts.try_emplace(mode);
+  if (unknown) {
     set_modes_of(from);
-    std::shared_ptr<TaughtContact> &taught = from.linear.taught(guard);
+    const std::size_t kind = guard + from.guards().size() * static_cast<std::size_t>(mode);
+    std::shared_ptr<TaughtContact> &taught = from.linear.taught(kind);
     if (!taught)
       taught = std::make_shared<TaughtContact>();
-    if (auto contact = PhaseEpisode::create(equations_, from.linear, guard, tolerance_, taught))
-      known.contact = std::make_unique<ContactPart>(ContactPart{.contact = std::move(contact)});
+    if (auto contact =
+            PhaseEpisode::create(equations_, from.linear, guard, mode, tolerance_, taught))
+      known->second = std::make_unique<ContactPart>(ContactPart{.contact = std::move(contact)});
   }
-  return known.contact.get();
+  return known->second.get();
 }
 
 Transition *KnownPhases::behind(KnownPhase &from, std::size_t guard, const PhaseEpisode &contact) {

@@ -75,8 +75,8 @@ struct Transition {
   std::vector<double> proportion; ///< of the guards of the target to the one passed
   std::unique_ptr<ExactChange> change{};
   long excitation = -1; ///< that the change is for
-  bool contact_known = false;
-  std::unique_ptr<ContactPart> contact{}; ///< of a target that is not linear; none: left to others
+  /// Of targets that are not linear, by the mode; none: left to others.
+  std::map<int, std::unique_ptr<ContactPart>> contacts{};
   std::unique_ptr<FrictionRoutes> routes{}; ///< of a contact with friction
   /// The linear phase behind a contact, by the mode that it ends in; of one with friction by the
   /// route.
@@ -104,14 +104,17 @@ public:
   KnownPhases(Equations &equations, ExactPhases &phases, double tolerance)
       : equations_(equations), phases_(phases), tolerance_(tolerance) {}
 
-  /// Of the present modes of the equations, under the present excitation; nullptr: not linear.
+  /// Are the present modes of the equations linear, with guards that the kernel can judge?
+  bool known() const;
+  /// Of the present modes of the equations, under the present excitation; nullptr: not known().
   KnownPhase *present();
   /// To the phase beyond a guard. None where it is left to others: impacts and rest are for several
   /// contacts together.
   Transition *transition(KnownPhase &from, std::size_t guard);
-  /// What a contact that begins at a guard is solved by, behind transition(); nullptr: it is left
-  /// to others. Leaves the equations in the modes of the phase.
-  ContactPart *contact_beyond(KnownPhase &from, std::size_t guard);
+  /// What a contact that begins at a guard is solved by, behind transition(), from the amplitudes
+  /// there; nullptr: it is left to others. Leaves the equations in the modes of the phase.
+  ContactPart *contact_beyond(KnownPhase &from, std::size_t guard, double time,
+                              const double *amplitudes);
   /// Where the law cuts its force off while the sides still overlap, the phase behind the contact
   /// is another one than that before. nullptr: the same.
   Transition *behind(KnownPhase &from, std::size_t guard, const PhaseEpisode &contact);
@@ -124,6 +127,8 @@ public:
 
 private:
   void set_modes(const std::vector<int> &modes);
+  bool begins_friction(const KnownPhase &from, const PhaseGuard &passed) const;
+  int mode_beyond(KnownPhase &from, std::size_t guard, double time, const double *amplitudes);
   void renew(KnownPhase &from, Transition &transition,
              const std::vector<PhaseForms::Reset> &resets);
   Transition find_transition(const KnownPhase &from, const PhaseGuard &passed);
@@ -133,6 +138,7 @@ private:
   Equations &equations_;
   ExactPhases &phases_;
   double tolerance_;
+  Vector state_; ///< at a touch
 };
 
 } // namespace vibroimpact::motion

@@ -19,8 +19,8 @@ double StepCosts::cost_of_attempt() const {
   const auto n = static_cast<double>(equations_.layout().n);
   const auto acting = static_cast<double>(equations_.n_acting());
   const auto contacts = static_cast<double>(equations_.layout().n_contacts);
-  return evaluations * (60 + 4 * n + acting * (35 + 2 * n)) + 1500 + 30 * n +
-         acting * (300 + 10 * n) + contacts * (100 + 2 * n);
+  return evaluations * (105 + 7 * n + acting * (60 + 3.5 * n)) + 2600 + 52 * n +
+         acting * (520 + 17 * n) + contacts * (175 + 3.5 * n);
 }
 
 void StepCosts::note_step(long attempts, bool changes) {

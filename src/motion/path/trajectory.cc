@@ -35,8 +35,8 @@ Trajectory::Trajectory(const model::Model &model, const contact::ContactSet &con
     : settings_(settings), equations_(model, contacts), scales_(equations_, settings_),
       collisions_(equations_, settings_, scales_), steppers_(equations_, settings),
       ts_(MotionTs::create(settings, equations_.layout().size())), costs_(equations_) {
-  // Guards of circular gaps and of friction along two directions are no linear forms of the motion.
-  if (steppers_.exact() && !contacts.has_circles() && !contacts.has_planes())
+  // Changes of friction along two directions are left to steps.
+  if (steppers_.exact() && !contacts.has_planes())
     path_ = std::make_unique<ExactPath>(equations_, steppers_.exact()->phases(), settings,
                                         progress_, counts_);
   if (settings.method == "moments" && !MomentStep::holds(equations_))

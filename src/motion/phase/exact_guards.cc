@@ -47,6 +47,7 @@ void ExactPhase::set_pair_rows(std::size_t guard, const PhaseGroup &group) {
   const double m = std::sqrt(std::norm(c));
   const double squared = std::norm(group.exponent);
   magnitudes_[j] = m;
+  slopes_[j] = m * std::sqrt(squared);
   second_[j] = m * squared;
   third_[j] = m * squared * std::sqrt(squared);
   eighth_[j] = m * squared * squared * squared * squared;
@@ -76,6 +77,8 @@ void ExactPhase::set_dense(const PhaseGroup &group) {
           rows_[(at * 8 + 2 * static_cast<std::size_t>(r)) * n + j] = value;
         if (r == 0)
           magnitudes_[at * n + j] = std::abs(value);
+        if (r == 1)
+          slopes_[at * n + j] = std::abs(value);
         if (r == 2)
           second_[at * n + j] = std::abs(value);
         if (r == 3)

@@ -34,6 +34,9 @@ ExactPhase::ExactPhase(const Matrix &matrix, const Vector &constant,
                        double h0, std::shared_ptr<TaughtLengths> taught)
     : modal_(matrix), h0_(h0), taught_(std::move(taught)), guard_rows_(guards.rows),
       guard_constants_(guards.constants), n_rows_(guards.rows.cols()) {
+  view_.n_guards = static_cast<int>(guards.n_guards());
+  view_.n_forms = static_cast<int>(guards.constants.size());
+  set_squares(guards);
   set_loads(constant, loads);
   for (const ModalBlock &block : modal_.blocks())
     for (const Complex e : eigenvalues_.emplace_back(eigenvalues_of(block)))
@@ -44,6 +47,16 @@ ExactPhase::ExactPhase(const Matrix &matrix, const Vector &constant,
   view_.owner = this;
   levels_.resize(n_levels);
   level_views_.resize(n_levels);
+}
+
+void ExactPhase::set_squares(const GuardForms &guards) {
+  if (!guards.products || guards.products->empty())
+    return;
+  squares_.resize(static_cast<std::size_t>(view_.n_guards));
+  for (const GuardProduct &product : *guards.products)
+    squares_[static_cast<std::size_t>(product.guard)] = {.first = static_cast<int>(product.factors),
+                                                         .scale = product.scale};
+  view_.squares = squares_.data();
 }
 
 void ExactPhase::set_loads(const Vector &constant, const std::vector<LinearSystem::Load> &loads) {
@@ -76,7 +89,7 @@ void ExactPhase::take(const Excitation &excitation) {
 
 std::size_t ExactPhase::bytes() const {
   return level_bytes_ + modal_.bytes() +
-         bytes_of(guard_rows_, columns_, couples_, rows_, sizes_, second_, third_, eighth_,
+         bytes_of(guard_rows_, columns_, couples_, rows_, sizes_, slopes_, second_, third_, eighth_,
                   magnitudes_, weights_);
 }
 
@@ -138,7 +151,6 @@ void ExactPhase::place_groups() {
       static_cast<int>(std::count_if(groups_.begin(), groups_.end(), [](const PhaseGroup &group) {
         return group.kind == BlockKind::pair;
       }));
-  view_.n_guards = static_cast<int>(guard_constants_.size());
   places_.assign(static_cast<std::size_t>(n_coordinates()), 0);
   for (const PhaseGroup &group : groups_)
     for (std::size_t c = 0; c < group.coordinates.size(); ++c)
@@ -148,16 +160,16 @@ void ExactPhase::place_groups() {
 
 void ExactPhase::allocate() {
   const auto n = static_cast<std::size_t>(view_.n_padded);
-  const auto guards = static_cast<std::size_t>(view_.n_guards);
+  const auto forms = static_cast<std::size_t>(view_.n_forms);
   rate_.assign(n, 0);
   frequency_.assign(n, 0);
-  rows_.assign(guards * 8 * n, 0);
-  for (AlignedArray *list : {&sizes_, &second_, &third_, &eighth_, &magnitudes_})
-    list->assign(guards * n, 0);
+  rows_.assign(forms * 8 * n, 0);
+  for (AlignedArray *list : {&sizes_, &slopes_, &second_, &third_, &eighth_, &magnitudes_})
+    list->assign(forms * n, 0);
   weights_.assign(2 * n, 0);
   constants_.assign(guard_constants_.begin(), guard_constants_.end());
-  constant_sizes_.resize(guards);
-  for (std::size_t g = 0; g < guards; ++g)
+  constant_sizes_.resize(forms);
+  for (std::size_t g = 0; g < forms; ++g)
     constant_sizes_[g] = std::abs(constants_[g]);
 }
 
@@ -183,6 +195,7 @@ void ExactPhase::show() {
   view_.frequency = frequency_.data();
   view_.rows = rows_.data();
   view_.sizes = sizes_.data();
+  view_.slopes = slopes_.data();
   view_.second = second_.data();
   view_.third = third_.data();
   view_.constants = constants_.data();

@@ -79,6 +79,7 @@ private:
     std::size_t bytes() const;
   };
 
+  void set_squares(const GuardForms &guards);
   void set_loads(const Vector &constant, const std::vector<LinearSystem::Load> &loads);
   void arrange(const Excitation &excitation);
   void renew(const Excitation &excitation);
@@ -124,6 +125,7 @@ private:
   std::vector<std::vector<Complex>> eigenvalues_; ///< of the blocks
   Matrix guard_rows_;
   Vector guard_constants_;
+  std::vector<SquaresView> squares_; ///< of each guard; empty: none is a sum of squares
   Index n_rows_ = 0;
 
   std::vector<Input> inputs_;
@@ -135,7 +137,8 @@ private:
   std::vector<int> places_;
 
   PhaseView view_;
-  AlignedArray rate_, frequency_, rows_, sizes_, second_, third_, eighth_, magnitudes_, weights_;
+  AlignedArray rate_, frequency_, rows_, sizes_, slopes_, second_, third_, eighth_, magnitudes_,
+      weights_;
   std::vector<double> constants_, constant_sizes_, norms_;
   double fastest_dense_ = 0;
   std::vector<DenseBlockView> dense_;

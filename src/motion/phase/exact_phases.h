@@ -33,7 +33,7 @@ struct TaughtContact;
 struct TaughtPhase {
   bool met = false; ///< by this motion
   TaughtLengths lengths{};
-  std::map<std::size_t, std::shared_ptr<TaughtContact>> contacts{}; ///< by the guards passed
+  std::map<std::size_t, std::shared_ptr<TaughtContact>> contacts{}; ///< by guards and modes
 };
 
 /// What others have made of a phase; it goes with it.
@@ -66,8 +66,8 @@ public:
       part_ = std::make_unique<Part>(*this);
     return static_cast<Part &>(*part_);
   }
-  /// Of contacts that begin at a guard.
-  std::shared_ptr<TaughtContact> &taught(std::size_t guard) { return taught_->contacts[guard]; }
+  /// Of contacts of one kind, which begin at one guard in one mode.
+  std::shared_ptr<TaughtContact> &taught(std::size_t kind) { return taught_->contacts[kind]; }
   /// What is prepared, but for lists that do not grow with modes times contacts.
   std::size_t bytes() const;
 

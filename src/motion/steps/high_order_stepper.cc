@@ -265,6 +265,7 @@ bool HighOrderStepper::take_last(double left, double limit) {
     if (end >= limit)
       break;
     error = attempt(TimeTransformation::until(end, start_.time, end));
+    ++rejected_; // until it is taken
     const LocalState there = contact_at(end_);
     constexpr double hopeless = 4;
     if (!(there.gap_rate > 0) || error > hopeless)
@@ -274,6 +275,7 @@ bool HighOrderStepper::take_last(double left, double limit) {
         correction + std::max(1e-5 * std::abs(correction), 4 * instant_tolerance());
     if (error <= 1 &&
         ((i > 0 && correction <= 0) || (end + beyond < limit && move_end(end + beyond)))) {
+      --rejected_;
       learn({.first = steps_.first, .last = left * growth(error)});
       accept(error);
       return true;
@@ -282,7 +284,6 @@ bool HighOrderStepper::take_last(double left, double limit) {
       break;
     left += beyond;
   }
-  ++rejected_;
   if (error > 1)
     learn({.first = steps_.first, .last = left * growth(error)});
   return false;
@@ -314,7 +315,7 @@ void HighOrderStepper::step(double limit) {
   // What the event tolerance cannot tell from parted sides has no end to step to.
   const bool opens = std::isfinite(rest_of_opening) && rest_of_opening > 16 * event_tolerance_;
   const double left = opens ? rest_of_opening : std::numeric_limits<double>::infinity();
-  if (left <= std::min(steps_.last, maximum_step_) &&
+  if (opens && left <= std::min(steps_.last, maximum_step_) &&
       left <=
           (1 + 1e-9) * source_step_.limited(start_.time, left, measure_.source_tolerances(left)) &&
       take_last(left, limit))

@@ -38,7 +38,8 @@ std::unique_ptr<PhaseEpisode> solve(const SmoothPart &part, std::size_t contact,
       linear ? onset_guard(*linear, contact, target) : std::nullopt;
   if (!guard)
     return nullptr;
-  std::unique_ptr<PhaseEpisode> solved = PhaseEpisode::create(open, *linear, *guard, tolerance);
+  std::unique_ptr<PhaseEpisode> solved =
+      PhaseEpisode::create(open, *linear, *guard, target, tolerance);
   if (!solved)
     return nullptr;
   const ExactPhase &phase = linear->phase();
@@ -74,8 +75,8 @@ std::optional<std::size_t> contact_episode(const Equations &equations) {
     if (mode.affine && !mode.holds_gap)
       continue;
     const contact::ContactPair &pair = equations.contacts().pairs()[c];
-    if (only || mode.holds_gap || !pair.law->force_pulse(equations.modes()[c]) ||
-        pair.n_internal() > 0)
+    if (only || mode.holds_gap || pair.n_directions() > 1 ||
+        !pair.law->force_pulse(equations.modes()[c]) || pair.n_internal() > 0)
       return std::nullopt;
     only = c;
   }
@@ -95,7 +96,7 @@ std::optional<double> pass_contact_episode(const SmoothPart &part, std::size_t c
   equations.set_mode(contact, target);
   if (!solved)
     return std::nullopt;
-  const ContactMap map(solved->solution(), solved->penetration(), solved->before().data());
+  const ContactMap map(solved->solution(), solved->output(), solved->before().data());
   const Matrix forced = forced_columns(*solved, map, columns);
   LinearFlow flow(solved->linear());
   flow.propagate(solved->duration(), columns);

@@ -11,7 +11,7 @@
 namespace vibroimpact::motion {
 
 /// The only contact whose present mode is nonlinear, where it is of a kind that may be solved as a
-/// whole: a law with force_pulse() in its mode and without internal states.
+/// whole along one direction: a law with force_pulse() in its mode and without internal states.
 std::optional<std::size_t> contact_episode(const Equations &equations);
 
 /// Takes the columns, deviations of the physical state, from the start of the part to its end,

@@ -67,8 +67,8 @@ void ContactMap::factorise() {
     by_length += (order + 1) * (moved * forces);
     rate_by_length += order * (hastened * forces);
   }
-  const ConstVectorView stiffness(solved_.law().by_penetration.data(), n_);
-  const ConstVectorView damping(solved_.law().by_rate.data(), n_);
+  const ConstVectorView stiffness(solved_.law().by_place[0][0].data(), n_);
+  const ConstVectorView damping(solved_.law().by_rate[0][0].data(), n_);
   Matrix matrix = Matrix::Identity(n_ + 1, n_ + 1);
   matrix.topLeftCorner(n_, n_) -= stiffness.asDiagonal() * by_force.topRows(n_);
   matrix.topLeftCorner(n_, n_) -= damping.asDiagonal() * rate_by_force.topRows(n_);
@@ -104,8 +104,8 @@ ContactMap::Shift ContactMap::shift(const Matrix &columns) const {
       const Polynomial free = evaluate(coefficients.col(c), positions_[i]);
       const auto at = static_cast<std::size_t>(i);
       right(i, c) = i < n_
-                        ? (solved_.law().by_penetration[at] * free.value +
-                           solved_.law().by_rate[at] * fastest * free.slope) /
+                        ? (solved_.law().by_place[0][0][at] * free.value +
+                           solved_.law().by_rate[0][0][at] * fastest * free.slope) /
                               unit
                         : -(end.by_penetration * free.value + end.by_rate * fastest * free.slope) /
                               end_scale();
@@ -118,7 +118,7 @@ ContactMap::Shift ContactMap::shift(const Matrix &columns) const {
 
 // f acts on u' by row S b = g_1 max|exponent|, and F_u' begins and ends like the force.
 double ContactMap::divergence() const {
-  const ConstVectorView damping(solved_.law().by_rate.data(), n_);
+  const ConstVectorView damping(solved_.law().by_rate[0][0].data(), n_);
   return powers_[1] * solved_.tools().at_nodes.term(0).row(n_).dot(damping);
 }
 
