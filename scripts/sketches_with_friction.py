@@ -147,5 +147,26 @@ def steam_generator_tube():
     return sketch
 
 
+def capsule():
+    sketch = Sketch("A capsule on rough ground with a driven mass inside, which a spring and a dashpot hold and which meets a spring "
+                    "in front")
+    sketch.path([(60, 22), (430, 22), (430, 160), (60, 160)], closed=True, fill="#f4f6f9", width=2)
+    sketch.symbol((410, 42), "γ")
+    sketch.spring((60, 80), (180, 80), "1", side=-1)
+    sketch.dashpot((60, 125), (180, 125), "2ξ", side=1)
+    sketch.mass((220, 102), 80, 76, "1")
+    sketch.spring((330, 102), (430, 102), "β", side=-1, colour=CONTACT)
+    sketch.line((330, 86), (330, 118), colour=CONTACT, width=3)
+    sketch.clearance((260, 102), (330, 102), "δ", offset=-48, side=-1)
+    sketch.arrow((262, 116), (312, 116))
+    sketch.symbol((262, 138), "α cos wt", colour=MOTION, anchor="start")
+    rubbing(sketch, 62, 428, 163)
+    sketch.ground((30, 166), (560, 166))
+    sketch.arrow((436, 102), (500, 102))
+    sketch.symbol((508, 102), "x_2", colour=MOTION, anchor="start")
+    sketch.symbol((245, 190), "μN = 1", colour=CONTACT)
+    return sketch
+
+
 SKETCHES = {"rotor-rub": rotor_rub, "steam-generator-tube": steam_generator_tube, "friction-oscillator": friction_oscillator, "wear": wear, "damped-buildings": damped_buildings,
-            "bolted-joint": bolted_joint}
+            "bolted-joint": bolted_joint, "capsule": capsule}

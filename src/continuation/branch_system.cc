@@ -95,7 +95,13 @@ BranchSystem::end_before(const Node &next, const std::vector<SpecialPoint> &spec
                         "the next point is a solution of multiple " + std::to_string(multiple)};
 }
 
-Ending<Branch> BranchSystem::end_at_steps(const Node & /*last*/, const std::string &why) const {
+Ending<Branch> BranchSystem::end_at_steps(const Node &last, const std::string &why) const {
+  if (const auto graze = graze_that_ends(problem_, last, settings_))
+    return {End::one_sided,
+            "beyond the grazing contact of " + graze->graze->name +
+                " there are no solutions close by",
+            graze->at,
+            {*graze}};
   std::ostringstream reason;
   reason << "steps fall below " << settings_.least_step << ": " << why;
   return {End::least_step, reason.str()};

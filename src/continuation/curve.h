@@ -15,6 +15,7 @@ enum class End {
   far,            ///< the state grows beyond Settings::largest_state
   shorter_return, ///< on solutions of a lower multiple of the map
   graze, ///< that a branch returns to again and again; of a locus, see LocusSpecial::ends_at_graze
+  one_sided, ///< of a branch, at a graze that has no solutions close by on its other side
   real_pair, ///< a Neimark-Sacker pair becomes real: strong resonance 1:1 or 1:2
   least_step,
   most_points

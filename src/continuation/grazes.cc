@@ -135,6 +135,17 @@ std::optional<Crossing> go_beyond(const ScaledProblem &problem, const LocatedGra
   return std::nullopt;
 }
 
+// Where F jumps its solution is the limit of those on the side of a node; at the graze itself
+// rounding would decide.
+Node beside(const ScaledProblem &problem, const LocatedGraze &graze, const Node &node,
+            const Settings &settings) {
+  constexpr double root = 3e-7; // of the depth, which is more than rounding
+  return Side(problem, graze, node, Place::before).open
+             ? enter_open(problem, graze, root, settings)
+             : ContactSide(problem, graze, settings)
+                   .at(root, graze.u, settings.graze_step, Depth::falls);
+}
+
 bool is_known(const std::vector<LocatedGraze> &found, const LocatedGraze &graze) {
   constexpr double same = 1e-7;
   return std::any_of(found.begin(), found.end(),
@@ -173,7 +184,7 @@ std::vector<LocatedGraze> grazes_between(const ScaledProblem &problem, const Nod
   for (const Node *node : {&begin, &end})
     for (const Graze &graze : problem.problem().grazes_near(problem.point(node->u, node->chart))) {
       auto located = locate_graze(problem, node->u, node->chart, graze, length, settings);
-      if (!located || is_known(found, *located))
+      if (!located || located->at.touch == Touch::one_sided || is_known(found, *located))
         continue;
       const double way = chord.dot(located->u - begin.u) / (length * length);
       if (way >= 0 && way <= 1)
@@ -191,7 +202,8 @@ std::optional<Crossing> cross_graze(const ScaledProblem &problem, const Node &be
   for (const Graze &graze : problem.problem().grazes_near(problem.point(begin.u, begin.chart))) {
     auto located =
         locate_graze(problem, begin.u, begin.chart, graze, 10 * settings.graze_step, settings);
-    if (located && begin.tangent.dot(located->u - begin.u) > 0)
+    if (located && located->at.touch != Touch::one_sided &&
+        begin.tangent.dot(located->u - begin.u) > 0)
       ahead.push_back(std::move(*located));
   }
   std::sort(ahead.begin(), ahead.end(), [&](const LocatedGraze &a, const LocatedGraze &b) {
@@ -201,6 +213,24 @@ std::optional<Crossing> cross_graze(const ScaledProblem &problem, const Node &be
     if (auto crossing = go_beyond(problem, graze, begin, settings))
       return crossing;
   return std::nullopt;
+}
+
+std::optional<SpecialPoint> graze_that_ends(const ScaledProblem &problem, const Node &last,
+                                            const Settings &settings) {
+  std::optional<SpecialPoint> nearest;
+  double least = settings.graze_step;
+  for (const Graze &graze : problem.problem().grazes_near(problem.point(last.u, last.chart))) {
+    auto located = locate_graze(problem, last.u, last.chart, graze, least, settings);
+    if (!located || located->at.touch != Touch::one_sided)
+      continue;
+    least = (located->u - last.u).norm();
+    Node node = beside(problem, *located, last, settings);
+    node.arclength = last.arclength + least;
+    nearest = make_special(problem, Special::graze, node, last, last);
+    nearest->graze = graze;
+    nearest->graze->kind = located->at.kind;
+  }
+  return nearest;
 }
 
 std::vector<SpecialPoint> special_points_across(const ScaledProblem &problem, const Node &begin,
@@ -218,6 +248,7 @@ std::vector<SpecialPoint> special_points_across(const ScaledProblem &problem, co
   // The solution is that of the graze, whichever side its derivatives are of.
   found.push_back(make_special(problem, kind, before.is_open() ? first : second, first, second));
   found.back().graze = graze.graze;
+  found.back().graze->kind = graze.at.kind;
   const auto behind = after.special();
   found.insert(found.end(), behind.begin(), behind.end());
   return found;

@@ -29,6 +29,11 @@ struct Crossing {
 std::optional<Crossing> cross_graze(const ScaledProblem &problem, const Node &begin,
                                     const Settings &settings);
 
+/// The graze close behind the last node at which a branch ends since there are no solutions behind
+/// it.
+std::optional<SpecialPoint> graze_that_ends(const ScaledProblem &problem, const Node &last,
+                                            const Settings &settings);
+
 /// The graze itself and the special points on both sides of it, each side with its own derivatives.
 /// NumericalError where the guard has one sign at both nodes: a shorter step may do.
 std::vector<SpecialPoint> special_points_across(const ScaledProblem &problem, const Node &begin,

@@ -44,9 +44,10 @@ struct Transfer {
 
 /// What becomes of F where a guard just touches zero.
 enum class Touch {
-  smooth,     ///< F is once differentiable; derivatives run as the square root of the depth
-  corner,     ///< derivatives jump by a matrix of rank one
-  square_root ///< derivatives are unbounded
+  smooth,      ///< F is once differentiable; derivatives run as the square root of the depth
+  corner,      ///< derivatives jump by a matrix of rank one
+  square_root, ///< derivatives are unbounded
+  one_sided    ///< F jumps: solutions on one side have none close by on the other
 };
 
 /// Two pieces of F meet where the least value of a guard is zero. Made and read by the problem
@@ -55,6 +56,7 @@ struct Graze {
   int guard = 0;       ///< which one, by the problem's own count
   double position = 0; ///< which of its minima, such as an instant in parts of the period
   double ignored = 0;  ///< depth below zero up to which the extension overlooks it
+  int kind = 0;        ///< of a located one: that of its extension
   std::string name;    ///< for messages and results
 };
 
@@ -65,6 +67,7 @@ struct Extension {
   RowVector by_state;  ///< of the value, n
   RowVector by_keys;   ///< of the value, one for each key
   Touch touch = Touch::smooth;
+  int kind = 0; ///< for results, by the problem's own count
   /// Where the touch is a corner: derivatives of F behind it are those of `smooth` plus this times
   /// those of the value; n, otherwise empty.
   Vector jump{};

@@ -47,6 +47,7 @@ LinearisedExtension ScaledProblem::extend(const Vector &u, double chart, const G
   result.gradient << extension.by_state, extension.by_keys;
   result.gradient = result.gradient * scales_.asDiagonal();
   result.touch = extension.touch;
+  result.kind = extension.kind;
   result.jump = extension.jump.size() == 0
                     ? extension.jump
                     : Vector(extension.jump.cwiseQuotient(scales_.head(states_)));

@@ -20,6 +20,7 @@ struct LinearisedExtension {
   double value = 0;
   RowVector gradient; ///< of the value by u
   Touch touch = Touch::smooth;
+  int kind = 0;
   Vector jump; ///< scaled; empty unless the touch is a corner
 };
 

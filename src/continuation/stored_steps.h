@@ -8,7 +8,7 @@
 namespace vibroimpact::continuation {
 
 void members(auto &visit, As<Graze> auto &graze) {
-  visit(graze.guard, graze.position, graze.ignored, graze.name);
+  visit(graze.guard, graze.position, graze.ignored, graze.kind, graze.name);
 }
 void members(auto &visit, As<Point> auto &point) { visit(point.state, point.keys, point.chart); }
 void members(auto &visit, As<Start> auto &start) {

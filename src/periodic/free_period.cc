@@ -16,7 +16,8 @@ Plane plane_across(const Vector &state, const Vector &rates, const Vector &scale
 }
 
 std::vector<Passage> passages(const Plane &plane, const Vector &scale, double from, double to,
-                              int looks, const std::function<Vector(double time)> &state_at) {
+                              int looks, const std::function<Vector(double time)> &state_at,
+                              const std::function<bool(const Passage &)> &enough) {
   std::vector<Passage> list;
   const double step = (to - from) / looks;
   double before = 0, farthest = 0;
@@ -25,10 +26,13 @@ std::vector<Passage> passages(const Plane &plane, const Vector &scale, double fr
     const double distance = plane.distance(now);
     const double away = (now - plane.point).cwiseProduct(scale).norm();
     farthest = std::max(farthest, away);
-    if (i > 0 && before < 0 && distance >= 0)
+    if (i > 0 && before < 0 && distance >= 0) {
       list.push_back({.time = from + (i - distance / (distance - before)) * step,
                       .away = away,
                       .farthest = farthest});
+      if (enough && enough(list.back()))
+        break;
+    }
     before = distance;
   }
   return list;

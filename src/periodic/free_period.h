@@ -40,9 +40,10 @@ struct Passage {
 };
 
 /// Of a motion that is looked at so many times between two instants since its start, one after the
-/// other; two passages between two looks are not seen.
+/// other; two passages between two looks are not seen. Ends with one that is `enough`.
 std::vector<Passage> passages(const Plane &plane, const Vector &scale, double from, double to,
-                              int looks, const std::function<Vector(double time)> &state_at);
+                              int looks, const std::function<Vector(double time)> &state_at,
+                              const std::function<bool(const Passage &)> &enough = {});
 
 /// Shared by all maps of one search or branch. Where keys change, the return that is looked for is
 /// the one nearest to that at the nearest keys of the last motions, so that steps of a continuation

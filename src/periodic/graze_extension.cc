@@ -1,77 +1,24 @@
 #include "periodic/graze_extension.h"
 
 #include "common/error.h"
+#include "periodic/touching.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vibroimpact::periodic {
 
-using contact::AffineForm;
-using contact::ContactLaw;
-using contact::ContactPair;
-using contact::LocalState;
 using continuation::Extension;
 using continuation::Touch;
 
 namespace {
-
-constexpr double widest_window = 0.25;  // of a window, to either side [periods]
-constexpr double farthest_value = 0.1;  // least value or depth over the size of the motion
-constexpr double longest_dip = 0.5;     // below zero [periods]; longer ones are no dips
-constexpr std::size_t most_windows = 4; // of touches, and of other grazes
-
-// Of the displacements of a contact's sides in the section.
-double gap_size(const StroboscopicMap &map, const ContactPair &pair, const Vector &state) {
-  const Index n = pair.gap.row.size();
-  return (pair.gap.row.cwiseAbs().transpose().cwiseQuotient(map.scale().head(n))).maxCoeff() *
-         map.norm(state);
-}
-
-// With the acceleration w^2 x a touch of speed v reaches v^2 / (2 w^2 x) deep.
-double nearness_of(const GuardMinimum &minimum, double size, double period) {
-  if (!minimum.passed)
-    return minimum.value / size;
-  const double speed = minimum.value * period / (2 * std::numbers::pi * size);
-  return speed * speed / 2;
-}
-
-// Half-way to the neighbours of the same contact: the touches before and behind a touch, and the
-// changes of mode between which a mode in contact lasts.
-GrazeWindow window_of(const std::vector<GuardMinimum> &minima, const GuardMinimum &chosen,
-                      double start, double end, double period) {
-  double from = start, to = end;
-  const auto keep_from = [&](double first, double last) {
-    if (last < chosen.begin || (last == chosen.begin && !chosen.in_contact))
-      from = std::max(from, (last + chosen.begin) / 2);
-    if (first > chosen.end || (first == chosen.end && !chosen.in_contact))
-      to = std::min(to, (first + chosen.end) / 2);
-  };
-  for (const GuardMinimum &other : minima) {
-    if (!other.passed || other.contact != chosen.contact || &other == &chosen)
-      continue;
-    if (chosen.in_contact) {
-      keep_from(other.begin, other.begin);
-      keep_from(other.end, other.end);
-    } else if (!other.in_contact) {
-      keep_from(other.begin, other.end);
-    }
-  }
-  return {.contact = chosen.contact,
-          .mode = chosen.mode,
-          .guard = chosen.guard,
-          .in_contact = chosen.in_contact,
-          .begin = std::max(from / period, chosen.begin / period - widest_window),
-          .position = chosen.time / period,
-          .end = std::min(to / period, chosen.end / period + widest_window)};
-}
 
 /// Parts of a motion one behind the other, with the derivatives of the whole.
 struct Chain {
   Vector state;
   Matrix by_state = Matrix::Identity(state.size(), state.size());
   Matrix by_keys;
+  Vector rates{};
   EventPattern pattern{};
 
   static Chain at(const StroboscopicMap &map, const Vector &state) {
@@ -84,6 +31,7 @@ struct Chain {
       return;
     const Flow flow = map.flow(from, to, state);
     state = flow.state;
+    rates = flow.rates;
     by_keys = flow.by_state * by_keys + flow.by_keys;
     by_state = flow.by_state * by_state;
     pattern.append(flow.pattern);
@@ -97,6 +45,12 @@ struct Chain {
                               .to = window.mode});
     pattern.touches_after.push_back(closed ? 1 : 0);
   }
+  // The state takes the value away along the jump by it.
+  void jump(const Vector &by_value, const Extension &at) {
+    state += by_value * at.value;
+    by_state += by_value * at.by_state;
+    by_keys += by_value * at.by_keys;
+  }
 };
 
 bool is_of(const GrazeWindow &window, const GuardMinimum &minimum) {
@@ -105,212 +59,235 @@ bool is_of(const GrazeWindow &window, const GuardMinimum &minimum) {
   return !window.in_contact || (minimum.mode == window.mode && minimum.guard == window.guard);
 }
 
-// The instant [periods] of the minimum nearest to the position of the window.
-double minimum_near(const StroboscopicMap &map, const StroboscopicMap &open, double begin,
-                    double end, double position, const GrazeWindow &window, const Vector &state) {
-  MinimumObserver observer(map.system().contacts());
-  open.observe(begin, end, state, observer);
-  double best = std::numeric_limits<double>::quiet_NaN();
-  for (const GuardMinimum &minimum : observer.minima()) {
-    const double instant = minimum.time / map.period();
-    if (is_of(window, minimum) && !minimum.passed &&
-        !(std::abs(instant - position) >= std::abs(best - position)))
-      best = instant;
-  }
-  if (std::isnan(best))
-    throw NumericalError("the guard of a contact has no minimum at the grazing contact");
-  return best;
-}
-
-class Touching {
-public:
-  Touching(const StroboscopicMap &map, const StroboscopicMap &open, const GrazeWindow &window,
-           double phase, const Vector &state)
-      : map_(map), open_(open), contact_(window.contact), guard_(window.guard),
-        mode_(static_cast<std::size_t>(window.mode)), phase_(phase), state_(state),
-        pair_(map.system().contacts().pairs()[contact_]) {
-    open_.start(phase_, state_); // so that the equations are in the modes of the motion
-    local_ = equations().local_state(contact_, time(), view());
-  }
-
-  double value() const { return form()(local_); }
-
-  RowVector gradient() const {
-    const motion::StateLayout &layout = open_.system().layout();
-    RowVector row = RowVector::Zero(layout.physical_size());
-    row.head(layout.n) = form().gap * pair_.gap.row;
-    row.segment(layout.velocity(), layout.n) = form().gap_rate * pair_.gap.row;
-    for (std::size_t i = 0; i < form().internal.size(); ++i)
-      row[layout.internal() + pair_.internal_offset + static_cast<Index>(i)] = form().internal[i];
-    return row;
-  }
-
-  // G_x x_p + G_p at a fixed time, where x_p is given at the fixed phase.
-  RowVector by_keys(const Matrix &by_keys) const {
-    const Vector rates = open_.rates(phase_, state_);
-    const auto pick = [this](const ContactLaw &law) -> const AffineForm & {
-      return law.modes()[mode_].guards[guard_].indicator;
-    };
-    open_.start(phase_, state_);
-    RowVector row(by_keys.cols());
-    for (Index k = 0; k < row.size(); ++k) {
-      ForcedKey &key = *map_.keys()[static_cast<std::size_t>(k)];
-      key.tangent.enter(time(),
-                        equations().source_break()); // no motion of this map may have led here
-      row[k] = gradient().dot(by_keys.col(k) - rates * (phase_ * key.period)) +
-               key.tangent.form(equations(), contact_, pick, time(), state_);
-    }
-    return row;
-  }
-
-  Touch kind() const {
-    if (pair_.law->modes()[mode_].in_contact)
-      return Touch::smooth;
-    if (pair_.law->rigid())
-      return Touch::square_root;
-    return dashpot() != 0 && lets_go() ? Touch::corner : Touch::smooth;
-  }
-
-  // Derivative, by the value, of the state behind a touch of the kind `corner`.
-  Vector jump() const {
-    const motion::StateLayout &layout = open_.system().layout();
-    Vector jump = Vector::Zero(layout.physical_size());
-    const Matrix response = equations().response_to(Matrix(pair_.gap.row), time(), view());
-    jump.segment(layout.velocity(), layout.n) = -dashpot() * response.col(0);
-    const std::vector<AffineForm> &reset = closing().reset;
-    for (std::size_t i = 0; i < reset.size() && form().gap != 0; ++i)
-      jump[layout.internal() + pair_.internal_offset + static_cast<Index>(i)] =
-          reset[i].gap / form().gap;
-    return jump;
-  }
-
-private:
-  const motion::Equations &equations() const { return open_.system().equations(); }
-  ConstVectorView view() const { return {state_.data(), state_.size()}; }
-  double time() const { return phase_ * open_.period(); }
-  const contact::Guard &closing() const { return pair_.law->modes()[mode_].guards[guard_]; }
-  const AffineForm &form() const { return closing().indicator; }
-
-  // -dF/d(gap rate) just behind the touch.
-  double dashpot() const {
-    contact::LawResponse response;
-    pair_.law->evaluate(closing().target, local_, response);
-    return -response.force_by_gap_rate;
-  }
-
-  // A guard ends the contact as soon as the sides part.
-  bool lets_go() const {
-    LocalState parting = local_;
-    parting.gap_rate += 1;
-    const contact::Mode &mode = pair_.law->modes()[static_cast<std::size_t>(closing().target)];
-    return std::any_of(mode.guards.begin(), mode.guards.end(), [&](const contact::Guard &guard) {
-      return guard.indicator(parting) < guard.indicator(local_);
-    });
-  }
-
-  const StroboscopicMap &map_, &open_;
-  std::size_t contact_, guard_, mode_;
-  double phase_;
-  const Vector &state_;
-  const ContactPair &pair_;
-  LocalState local_;
+/// The part of a section in which the window lies [periods].
+struct Part {
+  double begin = 0, position = 0, end = 0;
 };
 
-// What has not come back at the end of the section goes on at its start.
-bool is_dip(const MinimumObserver &observer, const GuardMinimum &minimum, double start, double end,
-            double period) {
-  const bool lasts = observer.lasts(minimum);
-  const double back = observer.first_parting(minimum.contact).value_or(start);
-  const double length = lasts ? end - minimum.begin + back - start : minimum.end - minimum.begin;
-  return !(lasts && minimum.in_contact) && length <= longest_dip * period;
+Part part_of(const StroboscopicMap &map, const Section &section, const GrazeWindow &window) {
+  const double first = map.first_phase(section), last = first + section.length();
+  const auto multiple = static_cast<double>(section.multiple());
+  const double shift = -std::floor((window.begin - first) / multiple + 1e-12) * multiple;
+  const Part part{.begin = std::max(first, window.begin + shift),
+                  .position = window.position + shift,
+                  .end = window.end + shift};
+  if (part.end > last + 1e-12)
+    throw NumericalError("the motion is cut where a contact is to graze");
+  return part;
 }
 
-void keep_nearest(std::vector<GrazeWindow> &windows) {
-  std::stable_sort(windows.begin(), windows.end(), [](const GrazeWindow &a, const GrazeWindow &b) {
-    return std::abs(a.nearness) < std::abs(b.nearness);
+double nearest_to(double position, const std::vector<double> &instants, const char *what) {
+  if (instants.empty())
+    throw NumericalError(what);
+  return *std::min_element(instants.begin(), instants.end(), [&](double a, double b) {
+    return std::abs(a - position) < std::abs(b - position);
   });
-  windows.resize(std::min(windows.size(), most_windows));
+}
+
+// The instant [periods] of the minimum nearest to the position of the window.
+double minimum_near(const GrazingMaps &maps, const Part &part, const GrazeWindow &window,
+                    const Vector &state) {
+  MinimumObserver observer(maps.map.system().contacts());
+  maps.open.observe(part.begin, part.end, state, observer);
+  std::vector<double> instants;
+  for (const GuardMinimum &minimum : observer.minima())
+    if (is_of(window, minimum) && !minimum.passed)
+      instants.push_back(minimum.time / maps.map.period());
+  return nearest_to(part.position, instants,
+                    "the guard of a contact has no minimum at the grazing contact");
+}
+
+// The instant [periods] at which the slip of the window ends.
+double slip_end_near(const GrazingMaps &maps, const Part &part, const GrazeWindow &window,
+                     const Vector &state) {
+  MinimumObserver observer(maps.map.system().contacts());
+  maps.map.observe(part.begin, part.end, state, observer);
+  std::vector<double> instants;
+  for (const SlipEnd &end : observer.slip_ends())
+    if (end.contact == window.contact && end.mode == window.mode && end.guard == window.guard)
+      instants.push_back(end.time / maps.map.period());
+  return nearest_to(part.position, instants, "the slip of a contact does not end where it did");
+}
+
+// d(state)/d(keys) at a fixed time, of that at a fixed phase.
+Matrix at_fixed_time(const StroboscopicMap &map, const Chain &chain, double phase,
+                     const Vector &rates) {
+  Matrix by_keys = chain.by_keys;
+  for (Index k = 0; k < by_keys.cols(); ++k)
+    by_keys.col(k) -= rates * (phase * map.keys()[static_cast<std::size_t>(k)]->period);
+  return by_keys;
+}
+
+/// The flow over a section and what grazes in it, before the symmetry of the section.
+struct Passed {
+  Chain whole;
+  Vector jump{}; ///< of the end, by the value
+  GrazingFlow flow{};
+};
+
+Chain begun(const StroboscopicMap &map, const Section &section, const Vector &state) {
+  Chain chain = Chain::at(map, state);
+  const std::vector<Index> unseen = map.idle(map.first_phase(section), state);
+  chain.state(unseen).setZero();
+  chain.by_state(Eigen::all, unseen).setZero();
+  return chain;
+}
+
+void note_value(const GuardAtInstant &guard, const GrazingMaps &maps, const Chain &chain,
+                double phase, const Vector &rates, Extension &extension) {
+  extension.value = guard.value();
+  extension.by_state = guard.gradient() * chain.by_state;
+  extension.by_keys = guard.by_keys(at_fixed_time(maps.map, chain, phase, rates));
+}
+
+// Where sides stick on behind it, the motions that do are extended, not those that do not.
+Passed pass_dip(const GrazingMaps &maps, const Section &section, const Vector &state,
+                const GrazeWindow &window) {
+  const Part part = part_of(maps.map, section, window);
+  const double first = maps.map.first_phase(section), last = first + section.length();
+  Passed passed{.whole = begun(maps.map, section, state)};
+  Chain &chain = passed.whole;
+  chain.go(maps.map, first, part.begin);
+  const double touch = passed.flow.touch = minimum_near(maps, part, window, chain.state);
+  chain.go(maps.open, part.begin, touch);
+  chain.touch(window);
+  const Vector at_touch = chain.state, rates = maps.open.rates(touch, at_touch);
+  const GuardAtInstant guard(maps.map, maps.open, {window.contact, window.mode, window.guard},
+                             touch, at_touch);
+  const Touching touching(guard);
+  Extension &extension = passed.flow.extension;
+  note_value(guard, maps, chain, touch, rates, extension);
+  extension.touch = touching.touch();
+  extension.kind = static_cast<int>(touching.kind());
+  const Vector jump = touching.jump();
+  if (extension.touch == Touch::one_sided && window.passed) {
+    if (jump.size() == 0)
+      throw NumericalError("the motions that slip have no extension to where they just do");
+    chain.jump(jump, extension);
+    chain.go(maps.map, touch, last);
+    return passed;
+  }
+  Chain behind = Chain::at(maps.map, chain.state);
+  behind.go(maps.open, touch, part.end);
+  behind.go(maps.map, part.end, last);
+  if (extension.touch == Touch::corner && jump.size() > 0)
+    passed.jump = behind.by_state * jump;
+  chain.by_keys = behind.by_state * chain.by_keys + behind.by_keys;
+  chain.by_state = behind.by_state * chain.by_state;
+  chain.state = behind.state;
+  chain.rates = behind.rates;
+  chain.pattern.append(behind.pattern);
+  return passed;
+}
+
+// Sides that stick at the instant do so until they slip on, or for longer.
+void classify(const GrazingMaps &maps, const GuardAtInstant &stick, double phase,
+              const Vector &state, Extension &extension) {
+  const double rate = stick.rate(maps.stick->rates(phase, state));
+  const bool crosses = rate < 0;
+  extension.kind =
+      static_cast<int>(crosses ? GrazeKind::crossing_sliding : GrazeKind::switching_sliding);
+  if (!Touching::slips_without_jump(*stick.pair().law, stick.guard(), stick.local()))
+    extension.touch = crosses ? Touch::square_root : Touch::one_sided;
+}
+
+Passed pass_slip_end(const GrazingMaps &maps, const Section &section, const Vector &state,
+                     const GrazeWindow &window) {
+  const Part part = part_of(maps.map, section, window);
+  const double first = maps.map.first_phase(section);
+  Chain chain = begun(maps.map, section, state);
+  Passed passed{.whole = chain};
+  passed.whole.go(maps.map, first, first + section.length());
+  chain.go(maps.map, first, part.begin);
+  const double end = passed.flow.touch = slip_end_near(maps, part, window, chain.state);
+  chain.go(maps.open, part.begin, end);
+  const Vector rates = maps.open.rates(end, chain.state);
+  const GuardAtInstant slip(maps.map, maps.open, window.overlooked(), end, chain.state);
+  const GuardAtInstant stick(maps.map, *maps.stick, *window.stick, end, chain.state);
+  Extension slipping;
+  note_value(slip, maps, chain, end, rates, slipping);
+  Extension &extension = passed.flow.extension;
+  note_value(stick, maps, chain, end, rates, extension);
+  const double by_delay = stick.rate(rates) / slip.rate(rates);
+  extension.value *= -1;
+  extension.by_state = by_delay * slipping.by_state - extension.by_state;
+  extension.by_keys = by_delay * slipping.by_keys - extension.by_keys;
+  classify(maps, stick, end, chain.state, extension);
+  return passed;
+}
+
+Passed pass(const GrazingMaps &maps, const Section &section, const Vector &state,
+            const GrazeWindow &window) {
+  return window.stick ? pass_slip_end(maps, section, state, window)
+                      : pass_dip(maps, section, state, window);
+}
+
+Flow flow_of(const StroboscopicMap &map, const Section &section, Passed &passed) {
+  const auto mirrored = [&](const Matrix &columns) { return map.mirrored(section, columns); };
+  return {.state = mirrored(passed.whole.state),
+          .rates = mirrored(passed.whole.rates),
+          .by_state = mirrored(passed.whole.by_state),
+          .by_keys = mirrored(passed.whole.by_keys),
+          .pattern = std::move(passed.whole.pattern),
+          .determinant = {}};
+}
+
+// Where the period is free, it becomes that of the return of the extended motion.
+Passed pass_to_return(const GrazingMaps &maps, const Section &section, const Vector &state,
+                      const GrazeWindow &window) {
+  if (!maps.map.system().free_period())
+    return pass(maps, section, state, window);
+  constexpr int most_steps = 12;
+  const Plane &plane = maps.map.plane(section, state);
+  for (int i = 0; i < most_steps; ++i) {
+    Passed passed = pass(maps, section, state, window);
+    const Chain &end = passed.whole;
+    const auto step = maps.map.step_to_return(section, plane, maps.map.mirrored(section, end.state),
+                                              maps.map.mirrored(section, end.rates));
+    if (step == StroboscopicMap::Return::there)
+      return passed;
+    if (step == StroboscopicMap::Return::lost)
+      break;
+  }
+  throw NumericalError("the motion that may graze does not come back to where it is cut");
 }
 
 } // namespace
 
-std::vector<GrazeWindow> graze_windows(const StroboscopicMap &map, const Section &section,
-                                       const Vector &state) {
+GrazingFlow extend(const GrazingMaps &maps, const Section &section, const Vector &state,
+                   const GrazeWindow &window) {
+  const StroboscopicMap &map = maps.map;
   const double period = map.period();
-  MinimumObserver observer(map.system().contacts());
-  const double end = section.phase + section.length();
-  map.observe(section.phase, end, state, observer);
-  std::vector<GrazeWindow> touches, releases;
-  for (const GuardMinimum &minimum : observer.minima()) {
-    const ContactPair &pair = map.system().contacts().pairs()[minimum.contact];
-    if (pair.circle) // not followed
-      continue;
-    const double size = minimum.in_contact ? observer.largest(minimum) : gap_size(map, pair, state);
-    const double near = nearness_of(minimum, size, period);
-    if (!(std::abs(near) < farthest_value) ||
-        !is_dip(observer, minimum, section.phase * period, end * period, period))
-      continue;
-    std::vector<GrazeWindow> &windows = minimum.in_contact ? releases : touches;
-    windows.push_back(
-        window_of(observer.minima(), minimum, section.phase * period, end * period, period));
-    windows.back().nearness = near;
-  }
-  keep_nearest(touches);
-  keep_nearest(releases);
-  touches.insert(touches.end(), releases.begin(), releases.end());
-  return touches;
-}
-
-GrazingFlow extend(const StroboscopicMap &map, const StroboscopicMap &open, const Section &section,
-                   const Vector &state, const GrazeWindow &window) {
-  const auto multiple = static_cast<double>(section.multiple());
-  const double last = section.phase + section.length();
-  const double ahead = window.begin - section.phase;
-  const double shift = -std::floor(ahead / multiple + 1e-12) * multiple;
-  const double begin = std::max(section.phase, window.begin + shift), end = window.end + shift;
-  if (end > last + 1e-12)
-    throw NumericalError("the motion is cut where a contact is to graze");
-  Chain chain = Chain::at(map, state);
-  const std::vector<Index> unseen = map.idle(section.phase, state);
-  chain.state(unseen).setZero();
-  chain.by_state(Eigen::all, unseen).setZero();
-  chain.go(map, section.phase, begin);
-  const double touch =
-      minimum_near(map, open, begin, end, window.position + shift, window, chain.state);
-  chain.go(open, begin, touch);
-  chain.touch(window);
-  const Vector at_touch = chain.state;
-  const Touching touching(map, open, window, touch, at_touch);
-  GrazingFlow flow{.touch = touch};
+  Passed passed = pass_to_return(maps, section, state, window);
+  GrazingFlow &flow = passed.flow;
+  Flow end = flow_of(map, section, passed);
   Extension &extension = flow.extension;
-  extension.value = touching.value();
-  extension.by_state = touching.gradient() * chain.by_state;
-  extension.by_keys = touching.by_keys(chain.by_keys);
-  extension.touch = touching.kind();
-  Chain behind = Chain::at(map, at_touch);
-  const Vector jump = extension.touch == Touch::corner ? touching.jump() : Vector();
-  behind.go(open, touch, end);
-  behind.go(map, end, last);
-  const auto mirrored = [&](const Matrix &columns) { return map.mirrored(section, columns); };
-  if (jump.size() > 0)
-    extension.jump = mirrored(behind.by_state * jump);
-  chain.pattern.append(behind.pattern);
-  extension.smooth.residual = mirrored(behind.state) - state;
-  extension.smooth.by_state =
-      mirrored(behind.by_state * chain.by_state) - Matrix::Identity(state.size(), state.size());
-  extension.smooth.by_keys = mirrored(behind.by_state * chain.by_keys + behind.by_keys);
-  extension.smooth.pattern = chain.pattern.numbers();
-  extension.smooth.chart_margin = chain.pattern.nearest_event() / map.period();
-  flow.pattern = std::move(chain.pattern);
-  return flow;
+  if (passed.jump.size() > 0)
+    extension.jump = map.mirrored(section, passed.jump);
+  if (map.system().free_period()) {
+    const Plane &plane = map.plane(section, state);
+    if (extension.jump.size() > 0)
+      extension.jump -= end.rates / plane.normal.dot(end.rates) * plane.normal.dot(extension.jump);
+    StroboscopicMap::project(plane, end);
+    map.set_period(period);
+  }
+  extension.smooth = {.residual = end.state - state,
+                      .by_state = end.by_state - Matrix::Identity(state.size(), state.size()),
+                      .by_keys = std::move(end.by_keys),
+                      .pattern = end.pattern.numbers(),
+                      .chart_margin = end.pattern.nearest_event() / period};
+  flow.pattern = std::move(end.pattern);
+  return std::move(flow);
 }
 
-Flow flow_past(const StroboscopicMap &map, const StroboscopicMap &open, double from, double to,
-               const Vector &state, const GrazeWindow &window) {
-  Chain chain = Chain::at(map, state);
-  chain.go(map, from, std::min(to, window.begin));
-  chain.go(open, std::max(from, window.begin), std::min(to, window.end));
-  chain.go(map, window.end, to);
+Flow flow_past(const GrazingMaps &maps, double from, double to, const Vector &state,
+               const GrazeWindow &window) {
+  if (window.stick)
+    return maps.map.flow(from, to, state);
+  Chain chain = Chain::at(maps.map, state);
+  chain.go(maps.map, from, std::min(to, window.begin));
+  chain.go(maps.open, std::max(from, window.begin), std::min(to, window.end));
+  chain.go(maps.map, window.end, to);
   return {.state = chain.state,
           .rates = {},
           .by_state = chain.by_state,

@@ -10,8 +10,9 @@ using continuation::Transfer;
 
 namespace {
 
-constexpr double widest = 0.25;   // of a window, to either side [periods]
-constexpr double farthest = 0.05; // of the graze from the middle of its window [periods]
+constexpr double widest = 0.25;       // of a window, to either side [periods]
+constexpr double farthest = 0.05;     // of the graze from the middle of its window [periods]
+constexpr double same_instant = 1e-6; // [periods]; the end of a slip is a change itself
 
 } // namespace
 
@@ -22,10 +23,10 @@ double GrazingOrbits::wrapped(double phase) const {
 
 GrazingFlow GrazingOrbits::flow(const Point &point) {
   const Section section = section_at(point.chart);
-  const StroboscopicMap &open = open_at(point.keys), &map = maps_.at(point.keys);
-  GrazingFlow flow = periodic::extend(map, open, section, point.state, window_);
+  const GrazingMaps maps = maps_.grazing(point.keys, window_);
+  GrazingFlow flow = periodic::extend(maps, section, point.state, window_);
   if (std::abs(flow.touch - window_.position) > farthest)
-    window_ = window_from(section.phase, section, flow, map);
+    window_ = window_from(section.phase, section, flow, maps.map);
   return flow;
 }
 
@@ -45,7 +46,8 @@ GrazeWindow GrazingOrbits::window_from(double phase, const Section &section,
   for (const PatternEvent &event : flow.pattern.events) {
     const auto [at, contact] = seen(section.phase + event.time / map.period(), event.contact);
     const double middle = (at + window.position) / 2;
-    if (contact != window.contact || event.from == event.to)
+    if (contact != window.contact || event.from == event.to ||
+        (window.stick && at > window.position - same_instant))
       continue;
     (at < window.position ? window.begin : window.end) =
         at < window.position ? std::max(window.begin, middle) : std::min(window.end, middle);
@@ -69,11 +71,11 @@ double GrazingOrbits::best_chart(const Point &point) {
 
 Transfer GrazingOrbits::transfer(const Point &point, double chart) {
   const GrazingFlow whole = flow(point);
-  const StroboscopicMap &open = open_at(point.keys), &map = maps_.at(point.keys);
+  const GrazingMaps maps = maps_.grazing(point.keys, window_);
   const Section section = section_at(point.chart);
   const double to = point.chart + wrapped(chart - point.chart);
-  const Flow moved = flow_past(map, open, point.chart, to, point.state, window_);
-  window_ = window_from(to, section, whole, map);
+  const Flow moved = flow_past(maps, point.chart, to, point.state, window_);
+  window_ = window_from(to, section, whole, maps.map);
   for (double *phase : {&window_.begin, &window_.position, &window_.end})
     *phase += chart - to;
   return {.point = {.state = moved.state, .keys = point.keys, .chart = chart},

@@ -31,9 +31,6 @@ public:
 private:
   Section section_at(double chart) const { return {.phase = chart, .halves = halves_}; }
   double wrapped(double phase) const;
-  const StroboscopicMap &open_at(const Vector &keys) {
-    return maps_.overlooking(keys, window_.overlooked());
-  }
   /// The window follows its graze.
   GrazingFlow flow(const continuation::Point &point);
   GrazeWindow window_from(double phase, const Section &section, const GrazingFlow &flow,

@@ -85,6 +85,11 @@ void MinimumObserver::event(const motion::ContactEvent &event) {
   const auto guard = place_of(event.guard, from);
   if (in_contact(event.contact, event.to))
     come_back(event);
+  for (SlipEnd &end : slip_ends_)
+    if (end.contact == event.contact && end.next == end.time)
+      end.next = event.time;
+  if (guard && from.friction == contact::Friction::slip)
+    end_slip(event, *guard);
   if (guard && from.in_contact)
     leave(event, *guard);
   if (guard && event.onset)
@@ -120,6 +125,25 @@ void MinimumObserver::leave(const motion::ContactEvent &event, std::size_t guard
                      .end = event.time,
                      .value = std::abs(seen->second.rate),
                      .passed = true});
+}
+
+void MinimumObserver::end_slip(const motion::ContactEvent &event, std::size_t guard) {
+  const ContactLaw &law = *contacts_.pairs()[event.contact].law;
+  const auto &modes = law.modes();
+  const int stick = modes[static_cast<std::size_t>(event.from)].guards[guard].target;
+  const contact::Mode &held = modes[static_cast<std::size_t>(stick)];
+  if (!held.holds_slip || law.n_tangential() != 1)
+    return;
+  for (std::size_t g = 0; g < held.guards.size(); ++g)
+    if (held.guards[g].target != event.from &&
+        modes[static_cast<std::size_t>(held.guards[g].target)].friction == contact::Friction::slip)
+      slip_ends_.push_back({.contact = event.contact,
+                            .mode = event.from,
+                            .guard = guard,
+                            .stick = stick,
+                            .slips_on = g,
+                            .time = event.time,
+                            .next = event.time});
 }
 
 void MinimumObserver::end_of(std::vector<std::size_t> &open, std::vector<std::size_t>::iterator at,

@@ -24,6 +24,18 @@ struct GuardMinimum {
   bool passed = false;       ///< it falls below zero
 };
 
+/// A slip that ends: whether the sides stick then is decided by a guard of stick, by which they
+/// slip on the other way.
+struct SlipEnd {
+  std::size_t contact = 0;
+  int mode = 0;             ///< of the slip
+  std::size_t guard = 0;    ///< that ends it
+  int stick = 0;            ///< the mode of stick
+  std::size_t slips_on = 0; ///< the guard of stick
+  double time = 0;          ///< [s]
+  double next = 0;          ///< of the next change of the contact [s]; `time` where there is none
+};
+
 /// Lists the minima of a motion that it observes.
 class MinimumObserver : public motion::Observer {
 public:
@@ -33,6 +45,8 @@ public:
   void step(const motion::StepView &view) override;
   void event(const motion::ContactEvent &event) override;
   const std::vector<GuardMinimum> &minima() const { return minima_; }
+  /// Of contacts with friction along one direction that stick.
+  const std::vector<SlipEnd> &slip_ends() const { return slip_ends_; }
   /// The guard is below zero at the end: a contact that has not parted again, or a mode in contact
   /// that has not come back.
   bool lasts(const GuardMinimum &minimum) const;
@@ -47,6 +61,7 @@ private:
   void touch(const motion::ContactEvent &event, std::size_t guard);
   void part(const motion::ContactEvent &event);
   void leave(const motion::ContactEvent &event, std::size_t guard);
+  void end_slip(const motion::ContactEvent &event, std::size_t guard);
   void come_back(const motion::ContactEvent &event);
   void end_of(std::vector<std::size_t> &open, std::vector<std::size_t>::iterator at, double time);
   bool in_contact(std::size_t contact, int mode) const {
@@ -59,6 +74,7 @@ private:
   };
   const contact::ContactSet &contacts_;
   std::vector<GuardMinimum> minima_;
+  std::vector<SlipEnd> slip_ends_;
   std::vector<std::size_t> closed_;      ///< places in minima_ of the contacts that are closed
   std::vector<std::size_t> left_;        ///< places in minima_ of modes in contact that are left
   std::map<Place, Seen> seen_;           ///< of modes in contact

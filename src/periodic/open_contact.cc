@@ -35,10 +35,10 @@ bool closes(const ContactLaw &law, const Guard &guard) {
 }
 
 OpenContact::OpenContact(std::shared_ptr<const ContactLaw> law)
-    : ContactLaw(without_closing(*law), law->initial_internal()), law_(std::move(law)) {}
+    : OverlookingContact(law, without_closing(*law)) {}
 
 int OpenContact::initial_mode(const contact::LocalState &state) const {
-  const int mode = law_->initial_mode(state);
+  const int mode = OverlookingContact::initial_mode(state);
   if (!modes()[static_cast<std::size_t>(mode)].in_contact)
     return mode;
   const auto open = std::find_if(modes().begin(), modes().end(),
@@ -47,8 +47,7 @@ int OpenContact::initial_mode(const contact::LocalState &state) const {
 }
 
 KeptContact::KeptContact(std::shared_ptr<const ContactLaw> law, const Overlooked &overlooked)
-    : ContactLaw(without_guard(*law, overlooked), law->initial_internal()), law_(std::move(law)),
-      mode_(overlooked.kept_mode) {}
+    : OverlookingContact(law, without_guard(*law, overlooked)), mode_(overlooked.kept_mode) {}
 
 ContactSet overlooking(const ContactSet &contacts, const Overlooked &overlooked) {
   std::vector<ContactPair> pairs = contacts.pairs();

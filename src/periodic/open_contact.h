@@ -22,42 +22,62 @@ struct Overlooked {
   auto operator<=>(const Overlooked &) const = default;
 };
 
-/// The same law without the guards that close the contact.
-class OpenContact : public contact::ContactLaw {
+/// The same law with other modes, which overlook guards.
+class OverlookingContact : public contact::ContactLaw {
 public:
-  explicit OpenContact(std::shared_ptr<const contact::ContactLaw> law);
-
   std::string name() const override { return law_->name(); }
   std::vector<contact::InternalState> internal_states() const override {
     return law_->internal_states();
   }
-  int initial_mode(const contact::LocalState &state) const override;
+  int initial_mode(const contact::LocalState &state) const override {
+    return law_->initial_mode(state);
+  }
   void evaluate(int mode, const contact::LocalState &state,
                 contact::LawResponse &response) const override {
     law_->evaluate(mode, state, response);
   }
+  int n_tangential() const override { return law_->n_tangential(); }
+  int mode_by_slip(int mode, const contact::LocalState &state) const override {
+    return law_->mode_by_slip(mode, state);
+  }
+  void leave(int mode, const contact::LocalState &state,
+             std::span<double> internal) const override {
+    law_->leave(mode, state, internal);
+  }
+  double restitution(double approach_speed) const override {
+    return law_->restitution(approach_speed);
+  }
+  contact::RestitutionHypothesis hypothesis() const override { return law_->hypothesis(); }
+  double impact_friction() const override { return law_->impact_friction(); }
+  double static_friction() const override { return law_->static_friction(); }
+  bool may_pull() const override { return law_->may_pull(); }
+
+protected:
+  OverlookingContact(std::shared_ptr<const contact::ContactLaw> law,
+                     std::vector<contact::Mode> modes)
+      : ContactLaw(std::move(modes), law->initial_internal()), law_(std::move(law)) {}
 
 private:
   std::shared_ptr<const contact::ContactLaw> law_;
 };
 
-/// The same law without one guard of a mode, in which all motions begin.
-class KeptContact : public contact::ContactLaw {
+/// Without the guards that close the contact.
+class OpenContact : public OverlookingContact {
+public:
+  explicit OpenContact(std::shared_ptr<const contact::ContactLaw> law);
+  int initial_mode(const contact::LocalState &state) const override;
+};
+
+/// Without one guard of a mode, in which all motions begin.
+class KeptContact : public OverlookingContact {
 public:
   KeptContact(std::shared_ptr<const contact::ContactLaw> law, const Overlooked &overlooked);
-
-  std::string name() const override { return law_->name(); }
-  std::vector<contact::InternalState> internal_states() const override {
-    return law_->internal_states();
-  }
   int initial_mode(const contact::LocalState & /*state*/) const override { return mode_; }
-  void evaluate(int mode, const contact::LocalState &state,
-                contact::LawResponse &response) const override {
-    law_->evaluate(mode, state, response);
+  int mode_by_slip(int mode, const contact::LocalState &state) const override {
+    return mode == mode_ ? mode : OverlookingContact::mode_by_slip(mode, state);
   }
 
 private:
-  std::shared_ptr<const contact::ContactLaw> law_;
   int mode_;
 };
 

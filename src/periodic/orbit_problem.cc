@@ -17,6 +17,12 @@ constexpr int instants = 16; // of a period at which the size of a motion is loo
 
 } // namespace
 
+GrazingMaps MapAlongKeys::grazing(const Vector &keys, const GrazeWindow &window) {
+  const StroboscopicMap &open = overlooking(keys, window.overlooked());
+  const StroboscopicMap *const stick = window.stick ? &overlooking(keys, *window.stick) : nullptr;
+  return {.map = at(keys), .open = open, .stick = stick};
+}
+
 // Charts go on over the periods of the motion and begin again after its multiple.
 double OrbitProblem::wrapped(double phase) const {
   return phase - std::floor(phase / periods()) * periods();
@@ -72,8 +78,6 @@ Transfer OrbitProblem::transfer(const Point &point, double chart) {
 std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
   const StroboscopicMap &map = maps_.at(point.keys);
   std::vector<continuation::Graze> grazes;
-  if (map.system().free_period()) // windows are phases of a forcing
-    return grazes;
   for (const GrazeWindow &window : graze_windows(map, section_at(point.chart), point.state)) {
     grazes.push_back({.guard = static_cast<int>(windows_.size()),
                       .position = window.position,
@@ -86,13 +90,14 @@ std::vector<continuation::Graze> OrbitProblem::grazes_near(const Point &point) {
 
 continuation::Extension OrbitProblem::extend(const Point &point, const continuation::Graze &graze) {
   const GrazeWindow &window = windows_.at(static_cast<std::size_t>(graze.guard));
-  const StroboscopicMap &map = maps_.at(point.keys);
-  return periodic::extend(map, maps_.overlooking(point.keys, window.overlooked()),
-                          section_at(point.chart), point.state, window)
+  return periodic::extend(maps_.grazing(point.keys, window), section_at(point.chart), point.state,
+                          window)
       .extension;
 }
 
 std::unique_ptr<continuation::Problem> OrbitProblem::extended(const continuation::Graze &graze) {
+  if (maps_.free_period() != nullptr) // windows of one chart say nothing in another
+    throw NumericalError("grazing motions are followed in two keys under forcing only");
   return std::make_unique<GrazingOrbits>(maps_, halves_, sizes_,
                                          windows_.at(static_cast<std::size_t>(graze.guard)));
 }

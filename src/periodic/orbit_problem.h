@@ -22,6 +22,8 @@ public:
   /// Null where an excitation gives the period.
   virtual FreePeriod *free_period() { return nullptr; }
   virtual const StroboscopicMap &overlooking(const Vector &keys, const Overlooked &overlooked) = 0;
+  /// Those of a window; valid likewise.
+  GrazingMaps grazing(const Vector &keys, const GrazeWindow &window);
 };
 
 class OrbitProblem : public continuation::Problem {

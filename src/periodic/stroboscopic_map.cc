@@ -101,13 +101,32 @@ void StroboscopicMap::set_period(double period) const {
     system_.free_period()->set_period(period);
 }
 
-// What a short time more or less on the motion makes up.
 void StroboscopicMap::project(const Plane &plane, Flow &flow) {
   const double approach = plane.normal.dot(flow.rates);
   const Vector along = flow.rates / approach;
   flow.state -= along * plane.distance(flow.state);
   flow.by_state -= along * (plane.normal.transpose() * flow.by_state);
   flow.by_keys -= along * (plane.normal.transpose() * flow.by_keys);
+}
+
+StroboscopicMap::Return StroboscopicMap::step_to_return(const Section &section, const Plane &plane,
+                                                        const Vector &there,
+                                                        const Vector &rates) const {
+  const double approach = plane.normal.dot(rates);
+  const double size =
+      plane.normal.cwiseQuotient(scale()).norm() * rates.cwiseProduct(scale()).norm();
+  if (!(approach > least_angle * size))
+    return Return::lost;
+  const double share = -plane.distance(there) / (approach * section.length() * period());
+  if (std::abs(share) > largest_return_step)
+    return Return::lost;
+  set_period(period() * (1 + share));
+  return std::abs(share) <= near_return ? Return::there : Return::nearer;
+}
+
+const Plane &StroboscopicMap::plane(const Section &section, const Vector &begin) const {
+  return system_.free_period()->plane(
+      section.phase, [&] { return plane_across(begin, rates(0, begin), scale()); });
 }
 
 // The period becomes that of the return, by Newton's method from the last one; false where that
@@ -117,18 +136,9 @@ bool StroboscopicMap::refine_return(const Section &section, const Plane &plane,
   for (int i = 0; i < most_return_steps; ++i) {
     const Vector there = carry(0, section.length(), begin);
     const Vector speed = mirrored(section, rates(0, there));
-    const double approach = plane.normal.dot(speed);
-    const double size =
-        plane.normal.cwiseQuotient(scale()).norm() * speed.cwiseProduct(scale()).norm();
-    if (!(approach > least_angle * size))
-      return false;
-    const double step = -plane.distance(mirrored(section, there)) / approach;
-    const double share = step / (section.length() * period());
-    if (std::abs(share) > largest_return_step)
-      return false;
-    set_period(period() * (1 + share));
-    if (std::abs(share) <= near_return)
-      return true;
+    const Return step = step_to_return(section, plane, mirrored(section, there), speed);
+    if (step != Return::nearer)
+      return step == Return::there;
   }
   return false;
 }
@@ -167,8 +177,7 @@ void StroboscopicMap::find_return(const Section &section, const Plane &plane,
 }
 
 Flow StroboscopicMap::return_to_plane(const Section &section, const Vector &begin) const {
-  const Plane &plane = system_.free_period()->plane(
-      section.phase, [&] { return plane_across(begin, rates(0, begin), scale()); });
+  const Plane &plane = this->plane(section, begin);
   const double before = period();
   try {
     find_return(section, plane, begin);

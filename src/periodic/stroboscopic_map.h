@@ -80,6 +80,20 @@ public:
   void set_period(double period) const;
   /// From one phase to a later one, which may be beyond the period.
   Flow flow(double from, double to, const Vector &state) const;
+  /// That from which motions of a section go on for its length; where the period is free they
+  /// all begin at zero.
+  double first_phase(const Section &section) const {
+    return system_.free_period() ? 0 : section.phase;
+  }
+  enum class Return { lost, nearer, there };
+  /// Where the period is free: one step of Newton's method for the return of a motion that is there
+  /// at the end of a section, behind sigma^h.
+  Return step_to_return(const Section &section, const Plane &plane, const Vector &there,
+                        const Vector &rates) const;
+  /// The plane of a section, through this state where there is none yet.
+  const Plane &plane(const Section &section, const Vector &begin) const;
+  /// What a short time more or less makes of a flow that ends beside a plane.
+  static void project(const Plane &plane, Flow &flow);
   /// The state alone.
   Vector carry(double from, double to, const Vector &state) const;
   /// The motion seen by an observer.
@@ -105,7 +119,6 @@ private:
   void find_return(const Section &section, const Plane &plane, const Vector &begin) const;
   bool refine_return(const Section &section, const Plane &plane, const Vector &begin) const;
   double look_for_return(const Section &section, const Plane &plane, const Vector &begin) const;
-  static void project(const Plane &plane, Flow &flow);
 
   ForcedSystem &system_;
   motion::VariationAccuracy accuracy_;

@@ -168,6 +168,23 @@ TEST(LimitCycles, DerivativesOfTheReturnAgainstDifferences) {
   EXPECT_GT(by_key.norm(), 0.1);
 }
 
+// The amplitude about mu N / k is hypot(drop, speed).
+TEST(LimitCycles, DerivativesByTheSpeedOfTheBelt) {
+  const double speed = 0.2;
+  OnBelt context(falling_at_once(), 0);
+  System system = context.at(speed);
+  const OrbitKey key{.name = "speed",
+                     .parameter = {.path = "speed", .unit = "m/s", .values = {speed}}};
+  PeriodicOrbit({.start = after(3), .excitation = {}, .keys = {key}}).run_line(0, system, context);
+  ASSERT_EQ(context.result.status, Status::finished) << context.result.reason;
+  const double amplitude = std::hypot(drop, speed);
+  const double longer = 2 * drop / (amplitude * amplitude) - 2 * drop / (speed * speed);
+  EXPECT_NEAR(value_of(context.result, "derivative/speed/period"), longer, 1e-9);
+  EXPECT_EQ(value_of(context.result, "derivative/speed/smooth"), 1);
+  EXPECT_NEAR(value_of(context.result, "derivative/speed/point/block.head/displacement_x/maximum"),
+              speed / amplitude, 1e-9);
+}
+
 TEST(LimitCycles, AlongTheSpeedOfTheBelt) {
   OnBelt context(falling_at_once(), 0);
   System system = context.at(0.2);
@@ -205,8 +222,10 @@ TEST(LimitCycles, StickSlipEndsWhereTheBeltIsNoLongerReached) {
   ASSERT_EQ(context.result.status, Status::finished) << context.result.reason;
   const double end = zero_between([&](double speed) { return regained(speed, ratio); }, 0.3, 1);
   const std::vector<double> &speed = field_of(context.result, "speed").values;
-  EXPECT_NEAR(speed.back(), end, 1e-8);
-  EXPECT_EQ(field_of(context.result, "end/reason").values.back(), 4); // least step
+  EXPECT_NEAR(speed.back(), end, 1e-12);
+  EXPECT_EQ(field_of(context.result, "end/reason").values.back(), 8);    // no motion beyond
+  EXPECT_EQ(field_of(context.result, "special/kind").values.back(), 10); // grazing-sliding
+  EXPECT_NEAR(field_of(context.result, "special/speed").values.back(), end, 1e-12);
 }
 
 TEST(LimitCycles, ResumedBranchesAreTheSame) {
@@ -241,7 +260,7 @@ TEST(LimitCycles, WhatIsNoLimitCycleIsSaid) {
   const PeriodicOrbit derived({.start = after(3),
                                .excitation = {},
                                .recorders = {},
-                               .keys = {{.name = "speed", .parameter = speeds(0.2, 0.2)}}});
+                               .keys = {{.name = "frequency", .parameter = {}}}});
   EXPECT_THROW(derived.check(system), InputError);
 }
 

@@ -245,7 +245,7 @@ TEST(GrazesTest, OfTwoGuardsWithinAStep) {
       std::vector<Graze> near;
       for (Index i = 0; i < 2; ++i)
         if (std::abs(at.state(i)) < sight)
-          near.push_back({static_cast<int>(i), 0, 0, i == 0 ? "first" : "second"});
+          near.push_back({.guard = static_cast<int>(i), .name = i == 0 ? "first" : "second"});
       return near;
     }
     Extension extend(const Point &at, const Graze &graze) override {
@@ -298,7 +298,7 @@ TEST(GrazesTest, AreNotCrossedWhereThePatternStays) {
                 return scalar(at.state(0) - at.keys(0), 1, -1);
               },
               vector({1, 1})) {}
-    std::vector<Graze> grazes_near(const Point &) override { return {Graze{0, 0, 0, "a stop"}}; }
+    std::vector<Graze> grazes_near(const Point &) override { return {Graze{.name = "a stop"}}; }
     Extension extend(const Point &at, const Graze &) override {
       Extension result;
       result.smooth = scalar(at.state(0) - at.keys(0), 1, -1);

@@ -216,7 +216,7 @@ public:
             vector({1, s_ * x}).transpose(),
             {1}};
   }
-  std::vector<Graze> grazes_near(const Point &) override { return {Graze{0, 0, 0, "the stop"}}; }
+  std::vector<Graze> grazes_near(const Point &) override { return {Graze{.name = "the stop"}}; }
   Extension extend(const Point &at, const Graze &) override {
     Extension result;
     result.smooth = {vector({at.keys(0) + (open_ - 1) * at.state(0)}),

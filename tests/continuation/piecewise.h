@@ -35,7 +35,7 @@ public:
   std::vector<Graze> grazes_near(const Point &) override {
     std::vector<Graze> grazes;
     if (offers_extension)
-      grazes.push_back({0, 0, 0, "the stop"});
+      grazes.push_back({.name = "the stop"});
     return grazes;
   }
   Extension extend(const Point &at, const Graze &) override {

@@ -27,6 +27,7 @@ SHORTER = {
                     "Analysis/folds/Parameter grid/Key gap/Values=0.4, 0.7",
                     "Analysis/folds/Parameter grid/Key stiffness/Values=1, 2, 5"],
     "bumpers": ["Analyses=modes, start, start_free"],
+    "capsule": ["Analysis/sweep/Stepped sweep/Points=5"],
     "choose-a-stop": ["Analysis/best/Optimise/Most evaluations=30", "Analysis/compromise/Pareto front/Evaluations=120",
                       "Analysis/motion/Transient/Duration=4 s"],
     "damped-buildings": ["Analysis/slip_loads/Parameter grid/Key load/Points=3"],

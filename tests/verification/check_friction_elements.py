@@ -32,7 +32,7 @@ def check_chain(table):
 
 def check_capsules(table):
     for drive, mass, frequency, ways, known in CAPSULES:
-        place = table.run("verification/friction-capsule.prm", f"capsule-{drive:g}-{mass:g}-{frequency:g}", "Analyses=way",
+        place = table.run("capsule.prm", f"capsule-{drive:g}-{mass:g}-{frequency:g}", "Analyses=way",
                           f"Variables/w={frequency:g}", f"Variables/drive={drive:g}",
                           f"Variables/shell={mass:g}")["analysis/way/point/capsule.head/displacement_x"][:]
         found = sorted(numpy.diff(place)[-len(ways):], reverse=True)
@@ -43,7 +43,7 @@ def check_capsules(table):
 
 def check_block(table):
     """Turns after each half period: 2 (F - mu N)/k, then 4 mu N/k less."""
-    motion = table.run("verification/friction-capsule.prm", "press", "Analyses=press")["analysis/press"]
+    motion = table.run("verification/friction-block.prm", "press")["analysis/press"]
     time, place = motion["time"][:], motion["point/block.head/displacement_x"][:]
     half, pushed, lost = numpy.pi * numpy.sqrt(7000 / 24000), 179000 / 24000, 4 * 21000 / 24000
     exact = []

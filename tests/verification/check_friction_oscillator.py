@@ -65,6 +65,19 @@ def check_response(table, results):
                   run["analysis/motion/point/mass.block/displacement_x/amplitude"][()], 1e-9)
 
 
+def check_border(table):
+    """A branch along the friction: crossing-sliding (9) at the turns, below b = 1/2 grazing-sliding (10) between them."""
+    for b, start, kind in ((0.4, 0.1, 10), (0.6, 0.4, 9), (0.8, 0.4, 9), (1.2, 0.4, 9), (2, 0.4, 9)):
+        special = table.run("friction-oscillator.prm", f"border-{b:g}", "Analyses=border", f"Variables/mu={start}",
+                            f"Excitation/force/Frequency={b} rad/s")["analysis/border/special"]
+        between = scipy.optimize.minimize_scalar(
+            lambda s: -(numpy.sin(s / b) + b * u_of(b) * (numpy.cos(s) - numpy.cos(s / b))) / (b * numpy.sin(s)),
+            bounds=(0.2, 1.2), method="bounded", options={"xatol": 1e-9})
+        border = abs(1 / (1 - b * b)) / numpy.hypot(u_of(b), max(1 / b**2, -between.fun))
+        table.add(f"b = {b:g}: largest friction without stops, by a branch", border, special["Variables.mu"][0], 1e-11)
+        table.add_whole(f"b = {b:g}: kind of that point", [kind], [int(special["kind"][0])])
+
+
 def check_belt(table, belt):
     """Period from one stick to the next, of the displacement at its turning points."""
     time, place = belt["time"][:], belt["point/carried.block/displacement_x"][:]
@@ -109,7 +122,9 @@ def check_cycles(table):
     damped = table.run("verification/belt.prm", "damped", "Analyses=branch", "Variables/zeta=0.05")
     end = scipy.optimize.brentq(regained_speed, 0.3, 1, args=(0.05,), xtol=1e-14)
     table.add("speed at which stick ends, 5 % of critical damping", end,
-              damped["analysis/branch/Variables.speed"][:].max(), 1e-8)
+              damped["analysis/branch/special/Variables.speed"][-1], 1e-12)
+    table.add_whole("kind of that point, and why the branch ends", [10, 8],
+                    [int(damped["analysis/branch"][name][-1]) for name in ("special/kind", "end/reason")])
 
 
 def check_benchmarks(table):
@@ -160,6 +175,7 @@ def check_curves(table):
 def check(table):
     results = table.run("friction-oscillator.prm", "oscillator")
     check_response(table, results)
+    check_border(table)
     check_belt(table, results["analysis/belt"])
     check_cycles(table)
     check_benchmarks(table)

@@ -22,7 +22,8 @@ from .results import Analysis, Results
 #        of `special/kind`
 KINDS = {1: ("fold", "o"), 2: ("branch point", "X"), 3: ("period doubling", "^"),
          4: ("loss of symmetry", "v"), 5: ("Neimark–Sacker", "s"), 6: ("grazing", "d"),
-         7: ("grazing fold", "D"), 8: ("other contact changes", "|")}
+         7: ("grazing fold", "D"), 8: ("other contact changes", "|"), 9: ("crossing-sliding", "<"),
+         10: ("grazing-sliding", ">"), 11: ("switching-sliding", "P"), 12: ("adding-sliding", "h")}
 CRITICAL = (1, 2, 3, 4, 5)  # kinds at which a multiplier is on the unit circle
 
 

@@ -1,6 +1,7 @@
 #include "analyses/curves/branch_rows.h"
 
 #include "analyses/results/coded.h"
+#include "periodic/graze_extension.h"
 
 #include <utility>
 
@@ -9,6 +10,8 @@ namespace vibroimpact::analyses {
 using continuation::BranchPoint;
 using continuation::End;
 using continuation::Special;
+using continuation::SpecialPoint;
+using periodic::GrazeKind;
 
 namespace {
 
@@ -22,6 +25,17 @@ constexpr Coded<Special> special_kinds[] = {
     {Special::grazing_fold, 7, "grazing fold"},
     {Special::pattern_change, 8, "change of the contact changes"}};
 
+// Of sides that rub, behind all others.
+constexpr Coded<GrazeKind> sliding_kinds[] = {
+    {GrazeKind::crossing_sliding, 9, "crossing-sliding"},
+    {GrazeKind::grazing_sliding, 10, "grazing-sliding"},
+    {GrazeKind::switching_sliding, 11, "switching-sliding"},
+    {GrazeKind::adding_sliding, 12, "adding-sliding"}};
+
+GrazeKind graze_kind(const SpecialPoint &special) {
+  return special.graze ? static_cast<GrazeKind>(special.graze->kind) : GrazeKind::contact;
+}
+
 constexpr Coded<End> branch_ends[] = {
     {End::lower_bound, 0, "lower end of the key"},
     {End::upper_bound, 1, "upper end of the key"},
@@ -30,13 +44,42 @@ constexpr Coded<End> branch_ends[] = {
     {End::least_step, 4, "least step"},
     {End::most_points, 5, "most points"},
     {End::graze, 6, "returns repeatedly to the same grazing motion"},
-    {End::far, 7, "the motion grows beyond all measure"}};
+    {End::far, 7, "the motion grows beyond all measure"},
+    {End::one_sided, 8, "no motion close by behind a grazing point"}};
 
 } // namespace
 
 // Behind each kind of flip stands that of symmetric motions.
 int kind_number(Special kind, bool symmetric) {
   return code_of(special_kinds, kind) + (symmetric && kind == Special::flip ? 1 : 0);
+}
+
+int kind_number(const SpecialPoint &special, bool symmetric) {
+  const GrazeKind kind = graze_kind(special);
+  return kind == GrazeKind::contact ? kind_number(special.kind, symmetric)
+                                    : code_of(sliding_kinds, kind);
+}
+
+std::string sliding_words(const SpecialPoint &special) {
+  switch (graze_kind(special)) {
+  case GrazeKind::contact:
+    return "";
+  case GrazeKind::crossing_sliding:
+    return "crossing-sliding point: on one side the slip turns round at once, on the other the "
+           "sides "
+           "stick in between";
+  case GrazeKind::grazing_sliding:
+    return "grazing-sliding point: the slip rate just reaches zero, and on one side the sides "
+           "stick "
+           "then";
+  case GrazeKind::switching_sliding:
+    return "switching-sliding point: where the sides come to stick, on one side they slip the "
+           "other way "
+           "for a moment first";
+  case GrazeKind::adding_sliding:
+    return "adding-sliding point: on one side the sides slip for a moment in the middle of a stick";
+  }
+  return "";
 }
 
 BranchRows::BranchRows(const SweptParameter &parameter)
@@ -49,7 +92,8 @@ void BranchRows::add_point(const BranchPoint &point, PointResult values) {
 }
 
 void BranchRows::add_special(const BranchPoint &point, int kind, PointResult values) {
-  FieldWriter(values).number("kind", kind, "1", meaning_of(special_kinds));
+  FieldWriter(values).number("kind", kind, "1",
+                             meaning_of(special_kinds) + ", " + meaning_of(sliding_kinds));
   add(Part::special, point.point.keys, point.arclength, std::move(values));
 }
 

@@ -9,6 +9,10 @@ namespace vibroimpact::analyses {
 
 /// Of a kind in the field `special/kind`; a flip of half a symmetric motion loses the symmetry.
 int kind_number(continuation::Special kind, bool symmetric = false);
+/// The same of a point; sides that rub have kinds of their own.
+int kind_number(const continuation::SpecialPoint &special, bool symmetric);
+/// What becomes of a motion with friction behind a point; empty at all other kinds.
+std::string sliding_words(const continuation::SpecialPoint &special);
 
 class BranchRows : public CurveTable {
 public:

@@ -67,10 +67,16 @@ void BranchTable::note_enclosed(const SpecialPoint &special) {
                " before it, without a grazing motion that could be located");
 }
 
+void BranchTable::note_sliding(const SpecialPoint &special) {
+  if (const std::string words = sliding_words(special); !words.empty())
+    rows_.remark("contact " + special.graze->name + " at " + rows_.at(special.at.point.keys) +
+                 " is at a " + words);
+}
+
 void BranchTable::end(const continuation::Branch &branch) {
   rows_.end(branch);
   stuck_ = stuck_ || (branch.end == continuation::End::least_step && branch.points.size() == 1);
-  if (branch.end == continuation::End::least_step)
+  if (branch.end == continuation::End::least_step || branch.end == continuation::End::one_sided)
     rows_.remark("a branch ends at " + rows_.at(branch.points.back().point.keys) + ": " +
                  branch.reason);
 }
@@ -88,9 +94,10 @@ void BranchTable::add(const SpecialPoint &special) {
     std::swap(ordered.unstable_before, ordered.unstable_after);
   if (special.kind == Special::pattern_change)
     note_enclosed(special);
+  note_sliding(special);
   PointResult values = orbit_of(special.at);
   add_special_values(values, ordered, parameter_.unit);
-  rows_.add_special(special.at, kind_number(special.kind, halves_ % 2 != 0), std::move(values));
+  rows_.add_special(special.at, kind_number(special, halves_ % 2 != 0), std::move(values));
 }
 
 } // namespace vibroimpact::analyses

@@ -30,6 +30,7 @@ public:
 private:
   PointResult orbit_of(const continuation::BranchPoint &point);
   void note_enclosed(const continuation::SpecialPoint &special);
+  void note_sliding(const continuation::SpecialPoint &special);
 
   const SweptParameter &parameter_;
   OrbitRows orbits_;

@@ -23,13 +23,19 @@ double first_return(periodic::ForcedSystem &system, const Vector &state, const V
                            VectorView(rates.data(), rates.size()));
   const periodic::Plane plane = periodic::plane_across(state, rates.head(state.size()), scale);
   const double most = periods_looked * system.period();
-  for (const periodic::Passage &passage : periodic::passages(
-           plane, scale, 0, most, looks * periods_looked, [&](double time) -> Vector {
-             trajectory.advance(time);
-             return trajectory.motion_state().physical;
-           }))
-    if (passage.away <= near * passage.farthest)
-      return passage.time;
+  const auto returns = [](const periodic::Passage &passage) {
+    return passage.away <= near * passage.farthest;
+  };
+  // No farther: a motion beside an unstable one leaves it.
+  const std::vector<periodic::Passage> found = periodic::passages(
+      plane, scale, 0, most, looks * periods_looked,
+      [&](double time) -> Vector {
+        trajectory.advance(time);
+        return trajectory.motion_state().physical;
+      },
+      returns);
+  if (!found.empty() && returns(found.back()))
+    return found.back().time;
   throw NumericalError("the motion does not come back to where it was within " +
                        std::to_string(most) +
                        " s; a longer settling or another Period may help. The period is looked for "

@@ -36,10 +36,11 @@ std::shared_ptr<const Analysis> PeriodicOrbit::create(const parameters::Values &
 void PeriodicOrbit::check(const System &system) const {
   OrbitSearch search(system, period_source(system, settings_.excitation, "A periodic orbit"),
                      settings_.start);
-  if (search.free_period() && !settings_.keys.empty())
-    throw InputError(
-        "Derivatives of a periodic orbit need an excitation that gives the period; here "
-        "nothing changes with time, and the period is found with the motion.");
+  for (const OrbitKey &key : settings_.keys)
+    if (search.free_period() && key.parameter.is_frequency())
+      throw InputError("Derivative " + key.name +
+                       " needs a Path: nothing changes with time here, so that there is no "
+                       "frequency of an excitation.");
   search.forced().trajectory().start(0, system.initial.displacement, system.initial.velocity);
   const WindowRecording recording(settings_.recorders, system);
 }

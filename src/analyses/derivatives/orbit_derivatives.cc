@@ -24,6 +24,21 @@ periodic::Section whole(const periodic::Orbit &orbit) {
   return {.phase = orbit.section.phase, .halves = 2 * orbit.multiple()};
 }
 
+/// Of a state at a phase and, where it is free, of the period [s].
+struct ByKey {
+  Vector state;
+  double period = 0;
+};
+
+// Of the way to the plane, by what the motion is off it after the fixed time.
+double period_by_key(const RecordedOrbit &motion, const Vector &by_key) {
+  const periodic::Section section = whole(motion.orbit);
+  const periodic::Flow flow = motion.map.flow(0, section.length(), motion.orbit.point.state);
+  const Vector &normal = motion.map.plane(section, motion.orbit.point.state).normal;
+  return -normal.dot(flow.by_state * by_key + flow.by_keys.col(0)) /
+         (normal.dot(flow.rates) * section.length());
+}
+
 /// At the section, keeping the phase of the forcing.
 Vector state_by_key(const RecordedOrbit &motion) {
   const periodic::Flow flow = motion.map.image(whole(motion.orbit), motion.orbit.point.state);
@@ -39,13 +54,14 @@ Vector state_by_key(const RecordedOrbit &motion) {
 }
 
 /// At the forcing phase of time zero.
-Vector at_zero_phase(const RecordedOrbit &motion, const Vector &by_key) {
-  if (motion.orbit.section.phase == 0)
-    return by_key;
-  const periodic::Flow flow =
-      motion.map.flow(motion.orbit.section.phase, static_cast<double>(motion.orbit.multiple()),
-                      motion.orbit.point.state);
-  return flow.by_state * by_key + flow.by_keys.col(0);
+Vector at_zero_phase(const RecordedOrbit &motion, const ByKey &by_key) {
+  const double phase = motion.orbit.section.phase;
+  if (phase == 0)
+    return by_key.state;
+  const auto end = static_cast<double>(motion.orbit.multiple());
+  const periodic::Flow flow = motion.map.flow(phase, end, motion.orbit.point.state);
+  return flow.by_state * by_key.state + flow.by_keys.col(0) +
+         flow.rates * ((end - phase) * by_key.period);
 }
 
 struct Recorded {
@@ -53,9 +69,9 @@ struct Recorded {
   long events = 0;
 };
 
-Recorded record(const System &system, const Vector &state, const RecordedOrbit &motion) {
-  periodic::ForcedSystem forced(system.model, system.contacts, system.integration,
-                                *motion.map.system().source());
+Recorded record(const System &system, const Vector &state, const RecordedOrbit &motion,
+                double period) {
+  periodic::ForcedSystem forced = forced_like(system, motion, period);
   const double start = motion.orbit.section.phase * forced.period();
   WindowRecording recording(motion.recorders, system);
   forced.trajectory().start({.time = start, .physical = state});
@@ -67,14 +83,15 @@ Recorded record(const System &system, const Vector &state, const RecordedOrbit &
 }
 
 std::vector<Recorded> record_neighbours(const std::vector<KeyNeighbour> &neighbours,
-                                        const Vector &by_key, const RecordedOrbit &motion) {
+                                        const ByKey &by_key, const RecordedOrbit &motion) {
   std::vector<Recorded> all;
   for (const KeyNeighbour &near : neighbours) {
     const System system{.model = near.own_model(),
                         .contacts = *near.contacts,
                         .integration = motion.system.integration,
                         .initial = motion.system.initial};
-    all.push_back(record(system, motion.orbit.point.state + near.offset * by_key, motion));
+    all.push_back(record(system, motion.orbit.point.state + near.offset * by_key.state, motion,
+                         motion.map.period() + near.offset * by_key.period));
   }
   return all;
 }
@@ -106,6 +123,14 @@ void add_recorded(const FieldWriter &result, const OrbitKey &key, const Recorded
 }
 
 } // namespace
+
+periodic::ForcedSystem forced_like(const System &system, const RecordedOrbit &motion,
+                                   double period) {
+  if (const auto source = motion.map.system().source())
+    return {system.model, system.contacts, system.integration, *source};
+  return {system.model, system.contacts, system.integration,
+          std::make_shared<periodic::FreePeriod>(period)};
+}
 
 void declare_orbit_keys(parameters::Section &section) {
   section
@@ -148,7 +173,10 @@ void add_derivatives(const FieldWriter &result, const OrbitKey &key, const Recor
           : key_neighbours(key.parameter, key.parameter.values[0], build);
   periodic::ForcedKey forced = forced_key(key.name, motion.map.system(), neighbours);
   motion.map.set_keys({&forced});
-  const Vector by_key = state_by_key(motion);
+  ByKey by_key{.state = state_by_key(motion)};
+  const bool free = motion.map.system().free_period() != nullptr;
+  if (free)
+    by_key.period = period_by_key(motion, by_key.state);
   const FieldWriter of = result.below("derivative/" + key.name + "/"), listed = of.listed();
   of.array({"state",
             "SI",
@@ -157,12 +185,13 @@ void add_derivatives(const FieldWriter &result, const OrbitKey &key, const Recor
             {state_dimension}},
            at_zero_phase(motion, by_key));
   motion.map.set_keys({});
-  const PointResult tangents = measure_tangents(motion, forced, neighbours, by_key);
+  const PointResult tangents = measure_tangents(motion, forced, neighbours, by_key.state);
   std::vector<double> offsets;
   for (const KeyNeighbour &neighbour : neighbours)
     offsets.push_back(neighbour.offset);
   const Vector weight = motion::derivative_weights(offsets);
-  const Recorded present = record(motion.system, motion.orbit.point.state, motion);
+  const Recorded present =
+      record(motion.system, motion.orbit.point.state, motion, motion.map.period());
   const std::vector<Recorded> near = record_neighbours(neighbours, by_key, motion);
   const bool smooth = std::all_of(
       near.begin(), near.end(), [&](const Recorded &one) { return one.events == present.events; });
@@ -172,6 +201,9 @@ void add_derivatives(const FieldWriter &result, const OrbitKey &key, const Recor
   if (!key.parameter.is_frequency())
     listed.number("value", key.parameter.values[0], key.parameter.unit,
                   "value of the key " + key.parameter.path);
+  if (free)
+    listed.number("period", by_key.period * static_cast<double>(motion.orbit.multiple()),
+                  unit_by_key("s", key.parameter.unit), "derivative of the period");
   add_recorded(listed, key, present, tangents, near, weight);
 }
 

@@ -5,6 +5,9 @@
 //
 //   x' = (1 - P_x)^-1 P_p
 //
+// Where the period T is free, P leads back to a plane with the normal n, and the motion x(T) there
+// later by T' = -n . (x_x x' + x_p) / (n . dx/dt).
+//
 // and so do the derivatives of extreme values and impacts that recorders name (tangent_motion.h).
 // For what has no closed form: motions that begin at x + x' d with the key at p + d stay within
 // O(d^2) of the periodic motions there, so that what is recorded of them over one period has the
@@ -41,8 +44,13 @@ struct RecordedOrbit {
   const std::vector<RecorderFactory> &recorders;
 };
 
-/// Adds derivative/NAME/state and, for every single number that the recorders give and that has a
-/// unit, derivative/NAME/FIELD. NumericalError where the motion has no derivative, as at a fold.
+/// A system with the forcing of the motion, or where the period is free with this one [s].
+periodic::ForcedSystem forced_like(const System &system, const RecordedOrbit &motion,
+                                   double period);
+
+/// Adds derivative/NAME/state, where the period is free derivative/NAME/period, and, for every
+/// single number that the recorders give and that has a unit, derivative/NAME/FIELD. NumericalError
+/// where the motion has no derivative, as at a fold.
 void add_derivatives(const FieldWriter &result, const OrbitKey &key, const RecordedOrbit &motion,
                      const SystemSource &build);
 

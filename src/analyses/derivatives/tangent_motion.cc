@@ -103,8 +103,7 @@ void follow(motion::Trajectory &trajectory, const TangentWindow &window, motion:
 PointResult measure_tangents(const RecordedOrbit &motion, periodic::ForcedKey &key,
                              const std::vector<motion::KeyNeighbour> &neighbours,
                              const Vector &by_key) {
-  periodic::ForcedSystem forced(motion.system.model, motion.system.contacts,
-                                motion.system.integration, *motion.map.system().source());
+  periodic::ForcedSystem forced = forced_like(motion.system, motion, motion.map.period());
   const double phase = motion.orbit.section.phase, start = phase * forced.period();
   const TangentWindow window{
       .start = {.time = start, .physical = motion.orbit.point.state},

@@ -2,7 +2,7 @@
 
 #include "common/error.h"
 #include "motion/interval/guard_forms.h"
-#include "motion/steps/source_step.h"
+#include "motion/variation/row_rate.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -116,19 +116,8 @@ double Saltations::rate_along(const AffineForm &form, const ContactEvent &event,
 
 double Saltations::rate_of_forces(const AffineForm &forces, const ContactEvent &event,
                                   const Vector &rates) const {
-  const RowVector row =
-      tangent_row(equations_, event.contact, forces, event.time, *event.before).row;
-  const Index size = equations_.layout().physical_size();
-  double rate = row.head(size).dot(rates.head(size));
-  std::vector<SourceValues> values;
-  equations_.source_values(event.time, values);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto form_then = equations_.model().sources()[k].function->exponential_form(event.time);
-    const auto of = row.segment(size + 3 * static_cast<Index>(k), 3);
-    rate += of[0] * values[k][1] + of[1] * values[k][2] +
-            (form_then ? of[2] * third_derivative(*form_then, event.time) : 0);
-  }
-  return rate;
+  const LinearRow form = tangent_row(equations_, event.contact, forces, event.time, *event.before);
+  return rate_of_row(equations_, form.row, event.time, rates);
 }
 
 Saltations::Crossing Saltations::crossing(const ContactEvent &event, const Vector &before) const {
