@@ -15,6 +15,7 @@ namespace {
 using States = std::vector<FrictionalState>;
 
 constexpr double rounding_of_block = 1e-12;
+constexpr double rounding_of_states = 1e-11;
 
 double sign_of(FrictionalState state) { return state == FrictionalState::forward ? 1 : -1; }
 
@@ -25,7 +26,10 @@ public:
       : matrix_(matrix), start_(start), contacts_(contacts),
         states_(contacts.size(), FrictionalState::open), x_(Vector::Zero(start.size())) {}
 
-  FrictionalSolution solve(FrictionalEffort effort) {
+  FrictionalSolution solve(FrictionalEffort effort) { return with_all_that_stick(find(effort)); }
+
+private:
+  FrictionalSolution find(FrictionalEffort effort) {
     constexpr int most_sweeps = 100;
     constexpr int repetitions = 3;
     int repeated = 0;
@@ -55,7 +59,6 @@ public:
                          " rigid contacts with friction fit together");
   }
 
-private:
   const ContactFriction &friction(std::size_t c) const { return contacts_[c]; }
   static Index normal(std::size_t c) { return 2 * static_cast<Index>(c); }
 
@@ -180,11 +183,11 @@ private:
   }
 
   Violation judge(const FrictionalSolution &found) const {
-    constexpr double rounding = 1e-11;
     const Vector v = start_ + matrix_ * found.impulses;
     const double slow =
-        rounding * (start_.cwiseAbs() + matrix_.cwiseAbs() * found.impulses.cwiseAbs()).maxCoeff();
-    const double light = rounding * found.impulses.cwiseAbs().maxCoeff();
+        rounding_of_states *
+        (start_.cwiseAbs() + matrix_.cwiseAbs() * found.impulses.cwiseAbs()).maxCoeff();
+    const double light = rounding_of_states * found.impulses.cwiseAbs().maxCoeff();
     Violation worst;
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
       const Index n = normal(c);
@@ -212,6 +215,22 @@ private:
   std::optional<FrictionalSolution> try_states(const States &states, const Vector &near) const {
     FrictionalSolution found = solve_states(states, near);
     return judge(found).none() ? std::optional(std::move(found)) : std::nullopt;
+  }
+
+  // Contacts that slide at no speed beside others that stick do so too where the forces of all that
+  // are smallest allow it, as those that hold them will be (ActiveConstraints).
+  FrictionalSolution with_all_that_stick(FrictionalSolution found) const {
+    const Vector sizes = start_.cwiseAbs() + matrix_.cwiseAbs() * found.impulses.cwiseAbs();
+    const Vector v = start_ + matrix_ * found.impulses;
+    States states = found.states;
+    for (std::size_t c = 0; c < states.size(); ++c)
+      if (states[c] != FrictionalState::open && choices(c).size() > 2 &&
+          std::abs(v[normal(c) + 1]) <= rounding_of_states * sizes.maxCoeff())
+        states[c] = FrictionalState::stick;
+    if (states == found.states)
+      return found;
+    auto all = try_states(states, Vector::Zero(start_.size()));
+    return all ? std::move(*all) : found;
   }
 
   // From the last guess and from others: across the inequality that is violated most, again and

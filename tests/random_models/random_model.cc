@@ -3,6 +3,7 @@
 #include "random_models/random_bodies.h"
 #include "random_models/random_contacts.h"
 #include "random_models/random_friction.h"
+#include "random_models/random_planes.h"
 #include "random_models/random_sources.h"
 
 #include <algorithm>
@@ -30,17 +31,30 @@ std::string initial_conditions(Draw &draw, const RandomContacts &contacts,
   return subsection("Initial condition i", content);
 }
 
+RandomBodies bodies_of(Draw &draw, const ModelChoice &choice) {
+  const double factor = 1 + choice.nudge;
+  if (choice.seed >= first_with_planar_friction)
+    return random_planar_bodies(draw, factor, choice.seed < first_with_rings);
+  return choice.seed >= first_with_friction ? random_sliding_bodies(draw, factor)
+                                            : random_bodies(draw, factor);
+}
+
+RandomContacts contacts_of(Draw &draw, const ModelChoice &choice, const RandomBodies &bodies) {
+  if (choice.seed >= first_with_rings)
+    return random_rings(draw, bodies);
+  if (choice.seed >= first_with_planar_friction)
+    return random_planar_friction(draw, bodies);
+  return choice.seed >= first_with_friction
+             ? random_friction(draw, bodies, choice.seed >= first_with_rigid_friction)
+             : random_contacts(draw, bodies);
+}
+
 } // namespace
 
 std::string random_model(const ModelChoice &choice) {
   Draw draw(choice.seed);
-  const bool slides = choice.seed >= first_with_friction;
-  const double factor = 1 + choice.nudge;
-  const RandomBodies bodies =
-      slides ? random_sliding_bodies(draw, factor) : random_bodies(draw, factor);
-  const RandomContacts contacts =
-      slides ? random_friction(draw, bodies, choice.seed >= first_with_rigid_friction)
-             : random_contacts(draw, bodies);
+  const RandomBodies bodies = bodies_of(draw, choice);
+  const RandomContacts contacts = contacts_of(draw, choice, bodies);
   const double frequency = draw.uniform(1, 25);
   const double duration = 2 * std::numbers::pi / frequency * draw.of({3.0, 6.0});
   std::string text = bodies.text + contacts.text;

@@ -10,6 +10,10 @@ namespace vibroimpact::testing {
 constexpr std::uint64_t first_with_friction = 1'000'000;
 /// And of these, rigid sides with friction.
 constexpr std::uint64_t first_with_rigid_friction = 2'000'000;
+/// Models of these have friction along two directions.
+constexpr std::uint64_t first_with_planar_friction = 3'000'000;
+/// And of these, circular gaps.
+constexpr std::uint64_t first_with_rings = 4'000'000;
 
 /// What a model is made from; equal numbers give equal text.
 struct ModelChoice {

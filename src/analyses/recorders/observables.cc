@@ -1,6 +1,7 @@
 #include "analyses/recorders/observables.h"
 
 #include "analyses/recorders/channels.h"
+#include "motion/interval/constraint_force.h"
 #include "motion/interval/guard_forms.h"
 
 #include <algorithm>
@@ -215,7 +216,30 @@ bool is_seen(const Observable &observable, const motion::Equations &equations) {
   return !observable.impact_of || equations.mode(*observable.impact_of).in_contact;
 }
 
+namespace {
+
+// Gap and slip rate of a contact in a circular gap, which are no polynomials.
+StepFunction along_circle(const Observable &observable, const StepView &view) {
+  const auto circular = [&](std::size_t c) {
+    return view.equations().contacts().pairs()[c].circle != nullptr;
+  };
+  if (const auto *gap = std::get_if<motion::GapForm>(&observable.form);
+      gap && circular(gap->contact))
+    return motion::local_function(view, gap->contact,
+                                  [](const contact::LocalState &state) { return state.gap; });
+  if (const auto *slip = std::get_if<motion::SlipForm>(&observable.form);
+      slip && slip->rate && circular(slip->contact))
+    return motion::local_function(view, slip->contact, [](const contact::LocalState &state) {
+      return state.tangential[0].slip_rate;
+    });
+  return {};
+}
+
+} // namespace
+
 StepFunction along(const Observable &observable, const StepView &view) {
+  if (StepFunction circular = along_circle(observable, view))
+    return circular;
   if (!is_seen(observable, view.equations()) && observable.is_force())
     return [](double) { return 0.0; };
   if (const auto *force = std::get_if<ForceForm>(&observable.form))

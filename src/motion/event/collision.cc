@@ -2,6 +2,7 @@
 
 #include "common/decompositions.h"
 #include "contact/impulses.h"
+#include "motion/event/leading_acceleration.h"
 #include "motion/event/mode_change.h"
 #include "motion/event/rubbing.h"
 
@@ -151,41 +152,12 @@ void Collisions::find_impulses(Instant &instant) const {
 
 double Collisions::gap_acceleration(std::size_t contact, double time, const Vector &state,
                                     int direction) const {
-  const StateLayout &layout = equations_.layout();
-  Vector rates(state.size());
-  equations_.rates(time, ConstVectorView(state.data(), state.size()),
-                   VectorView(rates.data(), rates.size()));
-  return equations_.gap_acceleration(contact, time, ConstVectorView(state.data(), state.size()),
-                                     ConstVectorView(rates.data() + layout.velocity(), layout.n),
-                                     direction);
+  return present_acceleration(equations_, contact, time, state, direction);
 }
 
-// The gap's acceleration, or what takes its place where that is zero to rounding: the acceleration
-// a little later of a motion from here in the present modes, by a step of the classical Runge-Kutta
-// method, whose error of order five leaves the signs of the next three derivatives.
 double Collisions::leaning(std::size_t contact, double time, const Vector &state,
                            int direction) const {
-  const double now = gap_acceleration(contact, time, state, direction);
-  if (std::abs(now) > equations_.acceleration_rounding(contact, time, state, direction))
-    return now;
-  constexpr double part_of_time_scale = 1e-3;
-  // Where nothing oscillates, a second is as good as any scale.
-  const double highest = equations_.model().highest_frequency();
-  const double step = part_of_time_scale / (highest > 0 ? highest : 1);
-  const auto rates = [&](double after, const Vector &x) {
-    Vector dxdt(x.size());
-    equations_.rates(time + after, ConstVectorView(x.data(), x.size()),
-                     VectorView(dxdt.data(), dxdt.size()));
-    return dxdt;
-  };
-  const Vector k1 = rates(0, state);
-  const Vector k2 = rates(step / 2, state + step / 2 * k1);
-  const Vector k3 = rates(step / 2, state + step / 2 * k2);
-  const Vector k4 = rates(step, state + step * k3);
-  const Vector later = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  const double then = gap_acceleration(contact, time + step, later, direction);
-  const double rounding = equations_.acceleration_rounding(contact, time + step, later, direction);
-  return std::abs(then) > rounding ? then : 0;
+  return leading_acceleration(equations_, contact, time, state, direction);
 }
 
 // Where rounding moves the gap by d from one impact to the next, the speed v follows
@@ -304,18 +276,16 @@ void Collisions::choose_modes(const Instant &instant, const Vector &state,
 void Collisions::rest_rubbing(const Instant &instant, const Vector &state,
                               const std::vector<Index> &resting) {
   Vector accelerations = Vector::Zero(2 * static_cast<Index>(resting.size()));
-  std::vector<int> modes;
-  std::vector<double> slow;
+  std::vector<RestingContact> list;
   for (std::size_t i = 0; i < resting.size(); ++i) {
     const auto place = static_cast<std::size_t>(resting[i]);
     const std::size_t c = instant.contacts[place];
     for (int d = 0; d < (instant.rubbing->has_friction(resting[i]) ? 2 : 1); ++d)
       accelerations[2 * static_cast<Index>(i) + d] = leaning(c, instant.time, state, d);
-    modes.push_back(instant.held_mode[place]);
-    slow.push_back(scales_.speed(c));
+    list.push_back(
+        {.place = resting[i], .mode = instant.held_mode[place], .slow = scales_.speed(c)});
   }
-  const std::vector<int> chosen =
-      instant.rubbing->modes_at_rest(resting, accelerations, modes, slow, state);
+  const std::vector<int> chosen = instant.rubbing->modes_at_rest(list, accelerations, state);
   for (std::size_t i = 0; i < resting.size(); ++i)
     if (chosen[i] >= 0)
       equations_.set_mode(instant.contacts[static_cast<std::size_t>(resting[i])], chosen[i]);

@@ -110,27 +110,28 @@ void Rubbing::apply(Vector &state) const {
   }
 }
 
-std::vector<int> Rubbing::modes_at_rest(const std::vector<Index> &list, const Vector &accelerations,
-                                        const std::vector<int> &modes,
-                                        const std::vector<double> &slow,
-                                        const Vector &state) const {
-  const std::vector<Index> places = both_of(list);
-  const Vector rates = this->rates(state);
+std::vector<int> Rubbing::modes_at_rest(const std::vector<RestingContact> &list,
+                                        const Vector &accelerations, const Vector &state) const {
+  std::vector<Index> resting;
   std::vector<contact::ContactFriction> friction;
-  const auto mode_of_slip = [&](std::size_t i, double sign) {
-    return pair(list[i]).law->mode_by_slip(modes[i], {.tangential = {{{.slip_rate = sign}}}});
+  const Vector rates = this->rates(state);
+  const auto mode_of_slip = [&](const RestingContact &of, double sign) {
+    return pair(of.place).law->mode_by_slip(of.mode, {.tangential = {{{.slip_rate = sign}}}});
   };
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    contact::ContactFriction of = friction_[static_cast<std::size_t>(list[i])];
-    if (const double slip = rates[2 * list[i] + 1];
-        has_friction(list[i]) && std::abs(slip) > slow[i])
-      of.slides = slip > 0 ? 1 : -1;
-    if (of.slides != 0)
+  for (const RestingContact &of : list) {
+    resting.push_back(of.place);
+    friction.push_back(friction_[static_cast<std::size_t>(of.place)]);
+    int &slides = friction.back().slides;
+    slides = of.slides;
+    if (const double slip = rates[2 * of.place + 1];
+        has_friction(of.place) && std::abs(slip) > of.slow)
+      slides = slip > 0 ? 1 : -1;
+    if (slides != 0)
       refuse_jamming(
-          equations_.model(), pair(list[i]),
-          pair(list[i]).law->modes()[static_cast<std::size_t>(mode_of_slip(i, of.slides))]);
-    friction.push_back(of);
+          equations_.model(), pair(of.place),
+          pair(of.place).law->modes()[static_cast<std::size_t>(mode_of_slip(of, slides))]);
   }
+  const std::vector<Index> places = both_of(resting);
   const contact::FrictionalSolution found =
       contact::solve_frictional(effect_(places, places), accelerations, friction);
   std::vector<int> chosen;
@@ -138,10 +139,10 @@ std::vector<int> Rubbing::modes_at_rest(const std::vector<Index> &list, const Ve
     const contact::FrictionalState does = found.states[i];
     if (does == contact::FrictionalState::open || !(found.impulses[2 * static_cast<Index>(i)] > 0))
       chosen.push_back(-1);
-    else if (!has_friction(list[i]) || does == contact::FrictionalState::stick)
-      chosen.push_back(modes[i]);
+    else if (!has_friction(list[i].place) || does == contact::FrictionalState::stick)
+      chosen.push_back(list[i].mode);
     else
-      chosen.push_back(mode_of_slip(i, does == contact::FrictionalState::forward ? 1 : -1));
+      chosen.push_back(mode_of_slip(list[i], does == contact::FrictionalState::forward ? 1 : -1));
   }
   return chosen;
 }

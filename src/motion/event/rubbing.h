@@ -11,6 +11,14 @@
 
 namespace vibroimpact::motion {
 
+/// One that rests along its normal.
+struct RestingContact {
+  Index place = 0; ///< among those that touch
+  int mode = 0;    ///< in which it sticks
+  double slow = 0; ///< slip rates below count as none [m/s]
+  int slides = 0;  ///< the sign of its slip where that is known without a slip rate
+};
+
 class Rubbing {
 public:
   /// Of these contacts at a state; keeps a reference to the equations.
@@ -31,11 +39,9 @@ public:
   long reduced() const { return reduced_; }
 
   /// What the contacts of the list do that rest along their normals, from their accelerations
-  /// `accelerations` without forces between them: the mode of each, or -1 where it opens.
-  /// `modes`: of each in which it sticks; `slow`: of each, slip rates below count as none.
-  std::vector<int> modes_at_rest(const std::vector<Index> &list, const Vector &accelerations,
-                                 const std::vector<int> &modes, const std::vector<double> &slow,
-                                 const Vector &state) const;
+  /// without forces between them: the mode of each, or -1 where it opens.
+  std::vector<int> modes_at_rest(const std::vector<RestingContact> &list,
+                                 const Vector &accelerations, const Vector &state) const;
 
   /// The impulses by the rates before them, for the contacts of the list.
   void record(const std::vector<Index> &list, Collision &record) const;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace vibroimpact::motion {
@@ -83,6 +84,16 @@ Bernstein local_curve(const StepView &view, std::size_t contact, const LocalValu
   coefficients[0] = values[0];
   coefficients[degree] = values[degree];
   return Bernstein::of_coefficients({coefficients.data(), static_cast<std::size_t>(degree + 1)});
+}
+
+std::function<double(double tau)> local_function(const StepView &view, std::size_t contact,
+                                                 LocalValue value) {
+  return [view, contact, value = std::move(value), motion = DenseState(view)](double tau) {
+    Vector state;
+    motion.at(tau, state);
+    return value(view.equations().local_state(contact, view.start() + tau * view.length(),
+                                              ConstVectorView(state.data(), state.size())));
+  };
 }
 
 Bernstein constraint_force(const StepView &view, std::size_t contact, int direction) {

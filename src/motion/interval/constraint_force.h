@@ -15,6 +15,11 @@ using LocalValue = std::function<double(const contact::LocalState &)>;
 /// step at its ends, exactly, and at eight instants between.
 Bernstein local_curve(const StepView &view, std::size_t contact, const LocalValue &value);
 
+/// The same as a function of tau in [0, 1], without a polynomial between: a circular gap has no
+/// slope where u passes the middle.
+std::function<double(double tau)> local_function(const StepView &view, std::size_t contact,
+                                                 LocalValue value);
+
 /// The force that holds a direction of a contact; zero of one that is not held.
 Bernstein constraint_force(const StepView &view, std::size_t contact, int direction);
 

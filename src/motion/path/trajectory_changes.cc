@@ -13,6 +13,7 @@
 #include "motion/path/trajectory.h"
 
 #include "common/error.h"
+#include "motion/event/lasting_contacts.h"
 #include "motion/event/mode_change.h"
 #include "motion/path/change_report.h"
 
@@ -60,24 +61,42 @@ double proportion(const AffineForm &form, const AffineForm &other) {
   return std::abs(factor);
 }
 
+// The guard of a mode that has led to the present one; the first one where none does.
+std::size_t guard_towards(const Equations &equations, std::size_t contact, int from) {
+  const contact::ContactLaw &law = *equations.contacts().pairs()[contact].law;
+  const std::vector<contact::Guard> &guards = law.modes()[static_cast<std::size_t>(from)].guards;
+  const auto found = std::ranges::find(guards, equations.modes()[contact], &contact::Guard::target);
+  return found == guards.end() ? 0 : static_cast<std::size_t>(found - guards.begin());
+}
+
 } // namespace
 
+// Where rigid contacts last side by side, what one of them does may change others.
 void Trajectory::change_mode(double instant, std::size_t contact, std::size_t guard, Vector &state,
                              const Observers &observers) {
   before_ = state;
-  const int from = equations_.modes()[contact];
-  const LocalState local =
-      equations_.local_state(contact, instant, ConstVectorView(before_.data(), before_.size()));
-  motion::pass_guard(equations_, contact, guard_of(contact, guard), instant, local, state);
-  report_change(equations_,
-                {.time = instant,
-                 .contact = contact,
-                 .from = from,
-                 .guard = guard,
-                 .local = local,
-                 .before = before_},
-                balance_.integrals, state, observers);
-  ++counts_.events;
+  const std::vector<int> modes = equations_.modes();
+  const ConstVectorView x(before_.data(), before_.size());
+  const LocalState local = equations_.local_state(contact, instant, x);
+  if (lasts_beside_others(equations_, contact))
+    pass_together(equations_, scales_, contact, guard_of(contact, guard), instant, state);
+  if (equations_.modes() == modes)
+    motion::pass_guard(equations_, contact, guard_of(contact, guard), instant, local, state);
+  const auto report = [&](std::size_t c, std::size_t passed, const LocalState &seen) {
+    report_change(equations_,
+                  {.time = instant,
+                   .contact = c,
+                   .from = modes[c],
+                   .guard = passed,
+                   .local = seen,
+                   .before = before_},
+                  balance_.integrals, state, observers);
+    ++counts_.events;
+  };
+  report(contact, guard, local);
+  for (std::size_t c = 0; c < modes.size(); ++c)
+    if (c != contact && equations_.modes()[c] != modes[c])
+      report(c, guard_towards(equations_, c, modes[c]), equations_.local_state(c, instant, x));
 }
 
 // What is zero at this instant, with the values that rounding and the location have left.
@@ -114,14 +133,16 @@ void Trajectory::pass_guard(const Crossing &first, bool stuck, const Observers &
   progress_.note(first.contact, time(), steppers_.present().fastest(), time_tolerance());
   const std::vector<KnownZero> zeros = known_zeros(first, stuck);
   Vector state = steppers_.present().state();
+  const std::vector<int> modes = equations_.modes();
   const bool apart = !equations_.mode(first.contact).in_contact;
   change_mode(time(), first.contact, first.guard, state, observers);
   const contact::Mode &mode = equations_.mode(first.contact);
   if (apart && mode.in_contact && !mode.affine && !mode.holds_gap)
     ++counts_.step_reasons[static_cast<std::size_t>(first.reason)];
   begin_phase(time(), state);
-  std::erase_if(zero_at_start_,
-                [&](const ZeroGuard &zero) { return zero.contact == first.contact; });
+  std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) {
+    return zero.contact == first.contact || equations_.modes()[zero.contact] != modes[zero.contact];
+  });
   renew_zero_guards(state);
   const double delay = first.rate != 0 ? first.residual / std::abs(first.rate) : 0;
   note_zero_guards(first.contact, zeros, delay, state);
