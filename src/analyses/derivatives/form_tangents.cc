@@ -35,21 +35,6 @@ bool is_circular(const Equations &equations, std::size_t contact) {
   return equations.contacts().pairs()[contact].circle != nullptr;
 }
 
-// What a circular gap makes of the motion is no linear form of it, nor is friction by a law that is
-// not affine.
-bool is_linear(const motion::OutputForm &form, const Equations &equations) {
-  if (const auto *gap = std::get_if<motion::GapForm>(&form))
-    return !is_circular(equations, gap->contact);
-  if (const auto *slip = std::get_if<motion::SlipForm>(&form))
-    return !is_circular(equations, slip->contact);
-  if (const auto *friction = std::get_if<motion::FrictionForm>(&form)) {
-    const contact::Mode &mode = equations.mode(friction->contact);
-    return !is_circular(equations, friction->contact) &&
-           (mode.affine || mode.holds(friction->direction));
-  }
-  return true;
-}
-
 const Observable &same_in(const std::vector<Observable> &list, const Observable &observed) {
   return *std::find_if(list.begin(), list.end(),
                        [&](const Observable &one) { return one.path == observed.path; });
@@ -100,7 +85,7 @@ TangentOf FormTangents::of(const Observable &observed) {
   for (const auto &near : near_)
     all.push_back(same_in(near->observables, observed));
   return [this, all = std::move(all)](const TangentPoint &at) {
-    if (!is_linear(all.front().form, at.equations()))
+    if (!motion::is_linear(all.front().form, at.equations()))
       return unknown;
     return linear(
         [&](std::size_t system, const Equations &equations) {

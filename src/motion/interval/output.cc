@@ -88,7 +88,9 @@ bool is_linear(const OutputForm &form, const Equations &equations) {
   return std::visit(Overloaded{[&](const GapForm &gap) { return straight(gap.contact); },
                                [&](const SlipForm &slip) { return straight(slip.contact); },
                                [&](const FrictionForm &friction) {
-                                 return equations.mode(friction.contact).affine.has_value();
+                                 const contact::Mode &mode = equations.mode(friction.contact);
+                                 return straight(friction.contact) &&
+                                        (mode.affine || mode.holds(friction.direction));
                                },
                                [](const CurveForm & /*curve*/) { return false; },
                                [](const auto & /*others*/) { return true; }},

@@ -67,8 +67,8 @@ struct LinearForm {
 /// and for the force of a law that is not affine.
 LinearForm linear_form(const OutputForm &form, const Equations &equations);
 
-/// Of a contact in a circular gap neither gap nor slip are, no friction is where the law is not
-/// affine, and no curve.
+/// Of a contact in a circular gap neither gap nor slip nor friction is, no friction where the law is
+/// not affine and nothing holds, and no curve.
 bool is_linear(const OutputForm &form, const Equations &equations);
 
 /// The outputs of a phase together: rows and constants one below the other.
