@@ -70,13 +70,24 @@ struct NamedCase {
   const char *name;
   Case (*make)();
 };
-constexpr NamedCase cases[] = {{"bumpers", bumpers},           {"bilinear", bilinear_masses},
-                               {"absorber", absorber},         {"rest", absorber_from_rest},
-                               {"beams", beam_pair},           {"stop", beam_on_stop},
-                               {"stops1", one_stop},           {"stops2", two_stops},
-                               {"stops4", four_stops},         {"stops8", eight_stops},
-                               {"stops16", sixteen_stops},     {"turns", friction_without_stops},
-                               {"stick", friction_with_stops}, {"duffing", duffing},
+constexpr NamedCase cases[] = {{"bumpers", bumpers},
+                               {"bilinear", bilinear_masses},
+                               {"absorber", absorber},
+                               {"rest", absorber_from_rest},
+                               {"beams", beam_pair},
+                               {"stop", beam_on_stop},
+                               {"stops1", one_stop},
+                               {"stops2", two_stops},
+                               {"stops4", four_stops},
+                               {"stops8", eight_stops},
+                               {"stops16", sixteen_stops},
+                               {"turns", friction_without_stops},
+                               {"stick", friction_with_stops},
+                               {"ring", ring},
+                               {"rub", ring_with_friction},
+                               {"hertzring", hertz_ring},
+                               {"hertzrub", hertz_ring_with_friction},
+                               {"duffing", duffing},
                                {"rotor", motor_on_frame}};
 
 int run(int repetitions, const char *only) {

@@ -27,6 +27,12 @@ Case sixteen_stops();
 /// A mass with dry friction under a harmonic force, which turns at once or stops at every turn.
 Case friction_without_stops();
 Case friction_with_stops();
+/// A rotor driven around an ellipse within a ring, a linear spring or Hertz's force along the
+/// radius, without and with friction: three contacts per period.
+Case ring();
+Case ring_with_friction();
+Case hertz_ring();
+Case hertz_ring_with_friction();
 /// A mass on a spring that stiffens with the cube of its elongation, without contacts.
 Case duffing();
 /// An unbalanced rotor with a motor of limited power on an elastic frame, without contacts.
