@@ -70,7 +70,7 @@ void BranchTable::note_enclosed(const SpecialPoint &special) {
 void BranchTable::note_sliding(const SpecialPoint &special) {
   if (const std::string words = sliding_words(special); !words.empty())
     rows_.remark("contact " + special.graze->name + " at " + rows_.at(special.at.point.keys) +
-                 " is at a " + words);
+                 ": " + words);
 }
 
 void BranchTable::end(const continuation::Branch &branch) {
