@@ -67,8 +67,8 @@ struct LinearForm {
 /// and for the force of a law that is not affine.
 LinearForm linear_form(const OutputForm &form, const Equations &equations);
 
-/// Of a contact in a circular gap neither gap nor slip nor friction is, no friction where the law is
-/// not affine and nothing holds, and no curve.
+/// No curve is; of circular gaps neither gap nor slip nor friction; friction of other gaps is where
+/// the law is affine or something holds.
 bool is_linear(const OutputForm &form, const Equations &equations);
 
 /// The outputs of a phase together: rows and constants one below the other.
