@@ -14,6 +14,7 @@ constexpr long maximum_impacts_at_once = 50;
 void Trajectory::collide(std::size_t first, const Observers &observers) {
   const Vector before = steppers_.present().state();
   Vector state = before;
+  const std::vector<int> modes = equations_.modes();
   const contact::Guard &passed = *std::find_if(
       equations_.mode(first).guards.begin(), equations_.mode(first).guards.end(),
       [](const contact::Guard &guard) { return guard.action == contact::GuardAction::impact; });
@@ -44,6 +45,9 @@ void Trajectory::collide(std::size_t first, const Observers &observers) {
   counts_.reduced_restitutions += outcome.reduced;
   ++counts_.events;
   begin_phase(time(), state);
+  std::erase_if(zero_at_start_, [&](const ZeroGuard &zero) { // guards of modes that are no more
+    return equations_.modes()[zero.contact] != modes[zero.contact];
+  });
   renew_zero_guards(state);
   for (std::size_t k = 0; k < outcome.touching.size(); ++k) {
     const std::size_t contact = outcome.touching[k];
