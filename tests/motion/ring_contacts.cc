@@ -233,12 +233,12 @@ TEST_P(RingContacts, FollowAnIntegrationInExtendedPrecision) {
   const State exact = reference.run(start, end);
   Witness witness;
   const double tolerance = GetParam().exponent == 1 ? 1e-12 : 1e-9;
-  const double error = 1e3 * tolerance;
+  const double error = 10 * tolerance;
   const Outcome whole = motion(GetParam(), start, end, "exact", tolerance, &witness);
   ASSERT_GT(reference.contacts, 1);
   const auto interrupted = static_cast<std::size_t>(StepReason::interrupted); // by the end
   EXPECT_EQ(whole.accuracy.contact_episodes + whole.accuracy.step_reasons[interrupted],
-            reference.contacts);
+            GetParam().exponent == 1 ? reference.contacts : 0); // others go in steps
   EXPECT_LT(distance(whole.state, exact), error);
   EXPECT_NEAR(whole.state[whole.layout.impulse(0)], static_cast<double>(exact[4]), error);
   EXPECT_LT(whole.accuracy.energy_residual, error);
