@@ -158,7 +158,7 @@ std::string moved_points(const Model &model, const Vector &shape) {
 }
 
 std::string unheld_motions(const Model &model) {
-  if (!model.linear())
+  if (model.size() == 0)
     return "";
   const AssembledModes modes = assembled_modes(model, AssembledSystem(model));
   std::vector<std::string> motions;

@@ -2,7 +2,6 @@
 
 #include "common/decompositions.h"
 #include "common/error.h"
-#include "model/assembled_system.h"
 
 #include <cmath>
 #include <sstream>
@@ -61,7 +60,7 @@ private:
     const Vector step =
         solve_fully_pivoted(matrix, s.asDiagonal() * (point_.image.state - point_.state));
     if (!step.allFinite())
-      fail("where a multiplier is 1" + model::unheld_motions(map_.system().model()));
+      fail("where a multiplier is 1");
     return step.cwiseQuotient(s);
   }
 

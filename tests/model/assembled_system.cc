@@ -60,6 +60,9 @@ TEST(AssembledSystemTest, RigidModeAndItsPoints) {
   EXPECT_NEAR(modes.stiffness[1], 7 * (1.0 / 2 + 1.0 / 5), 1e-13);
   EXPECT_NEAR(modes.damping_ratio()[1], 0.5 * 0.7 / (2 * std::sqrt(4.9)), 1e-14);
   EXPECT_EQ(moved_points(model, modes.shapes.col(0)), "a.head along x and b.head along x");
+  EXPECT_EQ(unheld_motions(model),
+            "; no spring holds the whole system against the motion of a.head "
+            "along x and b.head along x");
 }
 
 Model random_system(std::mt19937 &generator) {

@@ -4,8 +4,8 @@
 #include "analyses/run/single_point.h"
 #include "analyses/run/stored_state.h"
 #include "analyses/sweeps/steadiness.h"
-#include "common/decompositions.h"
 #include "common/recorded_step.h"
+#include "model/assembled_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,26 +74,11 @@ OrbitStart read_orbit_start(const parameters::Values &section) {
 
 namespace {
 
-// Squares of the natural frequencies, ascending, those of rigid-body motions zero [rad^2/s^2]: the
-// eigenvalues of M^(-1/2) K M^(-1/2).
-Vector squared_frequencies(const model::Model &model) {
-  constexpr double rounding = 1e-10;
-  if (model.size() == 0)
-    return {};
-  const auto unit = model.mass().cwiseSqrt().cwiseInverse().asDiagonal();
-  const Vector squares = symmetric_eigen(unit * model.stiffness().dense() * unit).values;
-  const double negligible = rounding * squares.cwiseAbs().maxCoeff();
-  return squares.unaryExpr([&](double square) { return square > negligible ? square : 0; });
-}
-
-bool moves_as_a_rigid_body(const model::Model &model) {
-  const Vector squares = squared_frequencies(model);
-  return squares.size() > 0 && squares[0] == 0;
-}
-
 /// [s]; 0: there is no natural frequency.
 double longest_natural_period(const model::Model &model) {
-  for (const double square : squared_frequencies(model))
+  if (model.size() == 0)
+    return 0;
+  for (const double square : assembled_modes(model, model::AssembledSystem(model)).stiffness)
     if (square > 0)
       return 2 * std::numbers::pi / std::sqrt(square);
   return 0;
@@ -102,11 +87,11 @@ double longest_natural_period(const model::Model &model) {
 } // namespace
 
 std::string rigid_body_cause(const System &system) {
-  if (!moves_as_a_rigid_body(system.model))
-    return "";
-  return "; the model moves as a rigid body (a natural frequency is 0 Hz): unless a contact holds "
-         "it, its periodic motions have a multiplier of 1 and are not isolated, so that none can "
-         "be found or followed";
+  const std::string unheld = model::unheld_motions(system.model);
+  return unheld.empty() ? ""
+                        : unheld + ": unless a contact does, its periodic motions have a "
+                                   "multiplier of 1 and are not isolated, so that none can be "
+                                   "found or followed";
 }
 
 NumericalError no_orbit(const System &system, const NumericalError &why) {
