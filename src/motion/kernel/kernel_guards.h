@@ -116,7 +116,7 @@ struct DegreesOfSquares {
   }
 };
 constexpr DegreesOfSquares of_squares;
-constexpr unsigned lanes_of_square = 0x7fff;
+constexpr unsigned coefficients_of_square = 0x7fff;
 // By which division by tau^r makes rounding larger, over the same of degree 7: 14/7, 91/21.
 constexpr double square_order_factor[] = {1, 2, 5};
 

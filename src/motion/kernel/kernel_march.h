@@ -210,13 +210,14 @@ private:
       return judge_squares(l, g, *squares, trial, rest, first, second);
     const double e = form_error(l, g, r);
     const V8 f = r > 0 ? coefficients(l, g) * load(order_weights[r - 1]) : coefficients(l, g);
-    constexpr unsigned lanes = 0xff;
-    const unsigned judged = lanes & ~((1u << r) - 1);
+    constexpr unsigned coefficients = 0xff;
+    const unsigned judged = coefficients & ~((1u << r) - 1);
     const unsigned low = below_or_equal(f, all(e)) & judged;
     const unsigned negative = below(f, all(0) - all(e)) & judged;
     if (low == 0)
       return Verdict::positive;
-    if (contiguous(low, lanes) && contiguous(negative, lanes) && (low >> r & 1) == 0) {
+    if (contiguous(low, coefficients) && contiguous(negative, coefficients) &&
+        (low >> r & 1) == 0) {
       double b[8];
       store(b, f);
       add_zero(polynomial_zero(g, Polynomial(b, r), crossing_of(b, r, table_degree, low), e), first,
@@ -236,13 +237,13 @@ private:
     if (r > 0)
       for (int k = 0; k < 16; k += 8)
         store(b + k, load(b + k) * load(of_squares.order_weights[r - 1] + k));
-    const unsigned judged = lanes_of_square & ~((1u << r) - 1);
+    const unsigned judged = coefficients_of_square & ~((1u << r) - 1);
     const unsigned low =
         (below_or_equal(load(b), all(e)) | below_or_equal(load(b + 8), all(e)) << 8) & judged;
     const unsigned negative = (below(load(b), all(-e)) | below(load(b + 8), all(-e)) << 8) & judged;
     if (low == 0)
       return Verdict::positive;
-    if (contiguous(low, lanes_of_square) && contiguous(negative, lanes_of_square) &&
+    if (contiguous(low, coefficients_of_square) && contiguous(negative, coefficients_of_square) &&
         (low >> r & 1) == 0) {
       add_zero(polynomial_zero(g, SquaresPolynomial(piece, r),
                                crossing_of(b, r, 2 * table_degree, low), e),

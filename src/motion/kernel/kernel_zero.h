@@ -22,10 +22,10 @@ constexpr double order_weights[largest_order][8] = {
 // Their largest entries, by which rounding grows.
 constexpr double order_factor[] = {1, 7, 21};
 
-// The set bits reach without a gap up to the highest of `lanes`, which are the lowest bits.
-inline bool contiguous(unsigned mask, unsigned lanes) {
+// The set bits reach without a gap up to the highest of `coefficients`, which are the lowest bits.
+inline bool contiguous(unsigned mask, unsigned coefficients) {
   const unsigned above = mask | (mask - 1);
-  return (mask & (lanes ^ (lanes >> 1))) != 0 && above == lanes;
+  return (mask & (coefficients ^ (coefficients >> 1))) != 0 && above == coefficients;
 }
 
 constexpr double binomial(int n, int k) {
