@@ -188,7 +188,7 @@ def check_sweep(table, sweep):
             start = settled(frequency, start, *LOADED)
             top, low = peaks(frequency, start, *LOADED)
             table.add(f"{name}, {kilohertz:g} kHz: peak-to-peak of the mesh [um]", 1e6 * (top - low),
-                      1e6 * found[numpy.argmin(abs(listed - kilohertz)), column], 1e-7)
+                      1e6 * found[numpy.argmin(abs(listed - kilohertz)), column], 1e-9)
         STARTS[name] = start
 
 
@@ -202,7 +202,7 @@ def check_branch(table, branch):
 
     rates = follow(frequency, STARTS["down"][2])
     least = scipy.optimize.minimize_scalar(frequency, bracket=rates, method="brent", options={"xtol": 1e-5})
-    table.add("fold [Hz]", least.fun / (2 * numpy.pi), branch["special/frequency"][:].min(), 1e-8)
+    table.add("fold [Hz]", least.fun / (2 * numpy.pi), branch["special/frequency"][:].min(), 1e-10)
 
 
 def follow(frequency, rate):
