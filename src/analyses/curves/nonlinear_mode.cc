@@ -9,6 +9,8 @@
 #include "common/error.h"
 #include "continuation/stored_steps.h"
 
+#include <utility>
+
 namespace vibroimpact::analyses {
 
 using continuation::BranchPoint;
@@ -67,7 +69,7 @@ void NonlinearMode::declare(parameters::Section &analysis) {
       .required()
       .quantity("Last energy", "", dimension::torque, range::positive, "E_2", "With which it ends.")
       .required();
-  declare_steps(section, "branch");
+  declare_steps(section, "branch", "0.03"); // longer ones pass narrow resonances by
   section.integer("Switching levels", "0", Range{.lower = 0, .upper = 20}, "",
                   "Branches that begin at a period doubling or loss of symmetry are followed as "
                   "well: those of the mode with 1, those of these too with 2...");
@@ -106,9 +108,12 @@ PointResult NonlinearMode::compute(const System &system, LineContext &context) c
   BranchFollower follower(
       {Directions::forward, settings_.continuation, settings_.levels}, table,
       [&](double share) { context.note_progress(share); }, steps.get());
-  follower.run(problem, family.halves(), recorded(steps.get(), "start", [&] {
-                 return continuation::solve(*problem, family.start(), settings_.continuation);
-               }));
+  const auto [first, remembered] = recorded(steps.get(), "start", [&] {
+    BranchPoint point = continuation::solve(*problem, family.start(), settings_.continuation);
+    return std::pair(std::move(point), problem->remembered());
+  });
+  problem->remember(remembered);
+  follower.run(problem, family.halves(), first);
   PointResult result;
   table.add_fields(result);
   return result;

@@ -2,14 +2,19 @@
 // and a cubic spring; damping ratios of linear systems, and forced motions at phase resonance.
 #include "analyses/curves/nonlinear_mode.h"
 
+#include "analyses/curves/orbit_branch.h"
+
 #include "common/zero.h"
 #include "contact/laws/linear_penalty.h"
 #include "support/recorded_windows.h"
 #include "support/rigid_contacts.h"
+#include "support/steps_in_memory.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace vibroimpact::analyses {
@@ -27,7 +32,11 @@ public:
   }
   void store(PointResult stored) override { result = std::move(stored); }
   void skip() override {}
+  std::unique_ptr<StepRecord> steps(const std::vector<std::size_t> & /*index*/) override {
+    return std::make_unique<testing::HandedSteps>(known, fresh);
+  }
   PointResult result;
+  std::vector<std::string> known, fresh;
 };
 
 NonlinearMode::Settings between(double first, double last, long mode = 1) {
@@ -140,23 +149,30 @@ TEST(NonlinearModes, BilinearOscillatorWithClearance) {
   }
 }
 
+System with_cubic_spring(System system, double cubic) {
+  system.model.add_connection({.name = "spring",
+                               .side_a = "block.head",
+                               .side_b = "ground",
+                               .elongation = system.model.displacement({}, Vector3::UnitX(), false),
+                               .cubic_stiffness = cubic});
+  return system;
+}
+
+double backbone_of_cubic_spring(double cubic, double square_of_amplitude) {
+  const double rise = 1 + cubic * square_of_amplitude;
+  const double m = cubic * square_of_amplitude / (2 * rise);
+  return pi * std::sqrt(rise) / (2 * std::comp_ellint_1(std::sqrt(m)));
+}
+
 // Backbone pi sqrt(1 + g A^2) / (2 K(m)), m = g A^2 / (2 (1 + g A^2)).
 TEST(NonlinearModes, CubicSpringByEllipticIntegrals) {
   for (const double cubic : {0.1, 1.0}) {
-    System system = oscillator();
-    system.model.add_connection(
-        {.name = "spring",
-         .side_a = "block.head",
-         .side_b = "ground",
-         .elongation = system.model.displacement({}, Vector3::UnitX(), false),
-         .cubic_stiffness = cubic});
+    const System system = with_cubic_spring(oscillator(), cubic);
     const Backbone backbone(mode_of(system, between(0.01, 8)));
     for (std::size_t i = 0; i < backbone.energy.size(); ++i) {
       // E = A^2 / 2 + g A^4 / 4
       const double square = (std::sqrt(1 + 4 * cubic * backbone.energy[i]) - 1) / cubic;
-      const double rise = 1 + cubic * square, m = cubic * square / (2 * rise);
-      EXPECT_NEAR(backbone.omega[i], pi * std::sqrt(rise) / (2 * std::comp_ellint_1(std::sqrt(m))),
-                  1e-9)
+      EXPECT_NEAR(backbone.omega[i], backbone_of_cubic_spring(cubic, square), 1e-9)
           << cubic << " at " << backbone.energy[i];
     }
   }
@@ -295,6 +311,85 @@ TEST(NonlinearModes, RestitutionIsBalanced) {
       EXPECT_NEAR(omega, 2 / std::sqrt(1 + decrement * decrement), 1e-11);
     for (const double excitation : field_of(result, "self_excitation").values)
       EXPECT_NEAR(excitation, 2 * decrement / std::sqrt(1 + decrement * decrement), 1e-11);
+  }
+}
+
+// The largest displacement along a forced branch, and its frequency: by the parabola through three
+// points.
+struct Peak {
+  double displacement = 0, omega = 0;
+};
+Peak forced_peak(double ratio) {
+  model::Model model({testing::single_mass("block", 1, 1, 2 * ratio)});
+  model.add_force("push",
+                  std::make_shared<model::Harmonic>(model::Given::displacement, 2 * ratio, 1.2, 0),
+                  {}, Vector3::UnitX());
+  System system = with_cubic_spring(testing::system_of(std::move(model)), 0.5);
+  OrbitBranch::Settings settings{
+      .parameter = {.path = {}, .values = {0.8 / (2 * pi), 1.4 / (2 * pi)}},
+      .start = {.state = {0, 0}},
+      .excitation = {}};
+  settings.continuation.first_key = {.lower = settings.parameter.values[0],
+                                     .upper = settings.parameter.values[1]};
+  settings.continuation.longest_step = 0.05;
+  ModePoint point;
+  OrbitBranch(settings).run_line(0, system, point);
+  EXPECT_EQ(point.result.status, Status::finished) << point.result.reason;
+  const std::vector<double> &size =
+      field_of(point.result, "point/block.head/displacement_x/largest").values;
+  const std::vector<double> &frequency = field_of(point.result, "frequency").values;
+  const std::vector<double> &along = field_of(point.result, "arclength").values;
+  const auto top =
+      static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  Matrix powers(3, 3);
+  Vector sizes(3), frequencies(3);
+  for (Index i = 0; i < 3; ++i) {
+    const std::size_t at = top - 1 + static_cast<std::size_t>(i);
+    const double s = along[at] - along[top];
+    powers.row(i) << 1, s, s * s;
+    sizes[i] = size[at];
+    frequencies[i] = frequency[at];
+  }
+  const Vector a = powers.inverse() * sizes, b = powers.inverse() * frequencies;
+  const double s = -a[1] / (2 * a[2]);
+  return {a[0] + a[1] * s + a[2] * s * s, 2 * pi * (b[0] + b[1] * s + b[2] * s * s)};
+}
+
+// Peaks of forced motions leave the backbone by the square of the damping ratio.
+TEST(NonlinearModes, ForcedPeaksLieOnTheBackbone) {
+  std::vector<double> off;
+  for (const double ratio : {0.08, 0.04}) {
+    const Peak peak = forced_peak(ratio);
+    off.push_back(peak.omega -
+                  backbone_of_cubic_spring(0.5, peak.displacement * peak.displacement));
+  }
+  EXPECT_LT(std::abs(off[1]), 2 * 0.04 * 0.04);
+  EXPECT_NEAR(off[0] / off[1], 4, 0.4);
+}
+
+TEST(NonlinearModes, ResumedModesAreTheSame) {
+  for (const periodic::Losses losses : {periodic::Losses::none, periodic::Losses::balanced}) {
+    NonlinearMode::Settings settings = between(0.1, 2.2);
+    settings.losses = losses;
+    settings.levels = 1;
+    const NonlinearMode mode(settings);
+    System system = two_masses(losses == periodic::Losses::none ? 0 : 0.02);
+    system.contacts = contact::ContactSet(
+        {testing::contact_along_x(system.model, "b.head", "", 1, testing::newton(1))});
+    ModePoint whole;
+    mode.run_line(0, system, whole);
+    ASSERT_GT(whole.fresh.size(), 20U);
+    for (const std::size_t kept : {std::size_t{1}, std::size_t{9}, whole.fresh.size() - 4}) {
+      ModePoint resumed;
+      resumed.known = testing::first_of(whole.fresh, kept);
+      mode.run_line(0, system, resumed);
+      for (const Field &field : whole.result.fields) {
+        const std::vector<double> &again = field_of(resumed.result, field.name()).values;
+        ASSERT_EQ(again.size(), field.values.size());
+        EXPECT_EQ(std::memcmp(again.data(), field.values.data(), 8 * again.size()), 0)
+            << field.name() << " from step " << kept;
+      }
+    }
   }
 }
 
