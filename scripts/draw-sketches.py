@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+import sketches_of_beams  # noqa: E402
 import sketches_that_turn  # noqa: E402
 import sketches_with_friction  # noqa: E402
 from sketch_shapes import CONTACT, INK, MOTION, PALE, Sketch  # noqa: E402
@@ -418,9 +419,8 @@ def solids():
 SKETCHES = {
     "impacting-beams": impacting_beams, "identification": identification, "isolator-stop": isolator_stop, "isolator-design": isolator_design,
     "bumpers": bumpers, "vibro-impact-absorber": absorber, "rigid-stop": rigid_stop, "bilinear-oscillator": bilinear_oscillator,
-    "electromechanical": electromechanical, "cantilever-stop": cantilever_stop, "measured-modes": measured_modes, "many-contacts": many_contacts, "plates-and-shells": plates_and_shells,
-    "given-matrices": given_matrices, "solids": solids, **sketches_with_friction.SKETCHES, **sketches_that_turn.SKETCHES,
-}
+    "electromechanical": electromechanical, "cantilever-stop": cantilever_stop, "measured-modes": measured_modes, "many-contacts": many_contacts,
+    "plates-and-shells": plates_and_shells, "given-matrices": given_matrices, "solids": solids, **sketches_with_friction.SKETCHES, **sketches_that_turn.SKETCHES, **sketches_of_beams.SKETCHES}
 
 
 def outdated(folder: Path) -> list[Path]:

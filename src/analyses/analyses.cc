@@ -5,6 +5,7 @@
 #include "analyses/basins/basins.h"
 #include "analyses/bilinear/bilinear_approximation.h"
 #include "analyses/curves/balance_branch.h"
+#include "analyses/curves/nonlinear_mode.h"
 #include "analyses/curves/orbit_branch.h"
 #include "analyses/curves/orbit_locus.h"
 #include "analyses/curves/periodic_orbit.h"
@@ -48,6 +49,7 @@ constexpr Entry known_analyses[] = {
     {"bilinear approximation", BilinearApproximation::declare, BilinearApproximation::create},
     {"steady state", SteadyState::declare, SteadyState::create, true},
     {"branch", OrbitBranch::declare, OrbitBranch::create, true},
+    {"nonlinear mode", NonlinearMode::declare, NonlinearMode::create, true},
     {"harmonic balance", BalanceBranch::declare, BalanceBranch::create},
     {"locus", OrbitLocus::declare, OrbitLocus::create, true},
     {"periodic orbit", PeriodicOrbit::declare, PeriodicOrbit::create, true},

@@ -72,9 +72,12 @@ Node make_node(const ScaledProblem &problem, const Vector &u, double chart, Line
     const Matrix jacobian = map_jacobian(node.at);
     node.tests.flip = determinant(jacobian + Matrix::Identity(n, n));
     node.multipliers = multipliers_of(jacobian);
-    test_pairs(node.multipliers, node.tests);
-    node.unstable = static_cast<int>(std::count_if(node.multipliers.begin(), node.multipliers.end(),
-                                                   [](auto mu) { return std::abs(mu) > 1; }));
+    const double margin = problem.problem().neutral_margin();
+    if (margin == 0)
+      test_pairs(node.multipliers, node.tests);
+    node.unstable =
+        static_cast<int>(std::count_if(node.multipliers.begin(), node.multipliers.end(),
+                                       [margin](auto mu) { return std::abs(mu) > 1 + margin; }));
   }
   return node;
 }

@@ -115,6 +115,11 @@ public:
   virtual std::vector<double> remembered() const { return {}; }
   /// Goes on as the problem did that remembered this.
   virtual void remember(const std::vector<double> & /*numbers*/) {}
+
+  /// Multipliers up to one and this count as no larger than one. Not zero: of motions without
+  /// losses, whose multipliers are one in absolute value but for rounding unless they are unstable,
+  /// and none of them comes to cross the unit circle as a pair.
+  virtual double neutral_margin() const { return 0; }
 };
 
 } // namespace vibroimpact::continuation

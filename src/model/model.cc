@@ -54,14 +54,37 @@ Model::Model(std::vector<std::shared_ptr<const ReducedBody>> bodies) : bodies_(s
   }
   mass_.resize(n);
   stiffness_.diagonal.resize(n);
-  Matrix damping = Matrix::Zero(n, n);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const ReducedBody &body = *bodies_[b];
     mass_.segment(offsets_[b], body.size()) = body.mass;
     stiffness_.diagonal.segment(offsets_[b], body.size()) = body.stiffness;
-    damping.block(offsets_[b], offsets_[b], body.size(), body.size()) = body.damping;
   }
+  add_body_damping();
+}
+
+void Model::add_body_damping() {
+  Matrix damping = Matrix::Zero(size(), size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    damping.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
+        bodies_[b]->damping;
   damping_ = split_diagonal(damping);
+}
+
+void Model::change_damping(double share, double self_excitation) {
+  for (auto &body : bodies_) {
+    ReducedBody changed = *body;
+    changed.damping *= share;
+    changed.damping.diagonal() -= self_excitation * changed.mass;
+    body = std::make_shared<const ReducedBody>(std::move(changed));
+  }
+  add_body_damping();
+  for (Connection &connection : connections_) {
+    connection.damping *= share;
+    damping_.add(connection.damping, connection.elongation.row);
+  }
+  for (Source &source : sources_)
+    source.rate_load *= share;
+  list_drives();
 }
 
 void Model::add_base_motion(const std::string &name, std::shared_ptr<const TimeFunction> function,

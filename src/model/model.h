@@ -107,6 +107,10 @@ public:
 
   /// The model at another excitation frequency. std::logic_error when the source has none.
   void set_frequency(std::size_t source, double angular_frequency);
+  /// This share of the damping of bodies and connections is left, and a force pushes each mass by
+  /// `self_excitation` times its momentum [1/s]: C becomes share C - self_excitation M, in the
+  /// bodies too.
+  void change_damping(double share, double self_excitation);
 
   Index size() const { return mass_.size(); }
   const std::vector<std::shared_ptr<const reduction::ReducedBody>> &bodies() const {
@@ -194,6 +198,7 @@ private:
     std::size_t derivative = 0; ///< of s, that multiplies it
   };
   void list_drives();
+  void add_body_damping();
 
   std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies_;
   std::vector<Index> offsets_;

@@ -41,6 +41,23 @@ TEST(ConnectionTest, CouplesTwoBodies) {
   EXPECT_TRUE(model.linear());
 }
 
+// C becomes C / 2 - 0.1 M, also where bodies and connections are looked at by themselves.
+TEST(ConnectionTest, DampingIsLeftOutAndMassesExcited) {
+  Model model({single_mass("a", 2, 30, 0), single_mass("b", 5, 0, 1)});
+  model.add_connection({.name = "link",
+                        .side_a = "a.head",
+                        .side_b = "b.head",
+                        .elongation = along_x(model, "a.head", "b.head"),
+                        .damping = 0.5});
+  model.change_damping(0.5, 0.1);
+  Matrix damping(2, 2);
+  damping << 0.05, -0.25, -0.25, 0.25;
+  EXPECT_TRUE(model.damping().dense().isApprox(damping, 1e-15));
+  EXPECT_EQ(model.connections()[0].damping, 0.25);
+  EXPECT_EQ(model.bodies()[0]->damping(0, 0), -0.2);
+  EXPECT_EQ(model.bodies()[1]->damping(0, 0), 0);
+}
+
 // A mass on the floor tied to one on a shaken base: the tie pulls with k s + c s'.
 TEST(ConnectionTest, MovingBaseLoadsTheOtherEnd) {
   Model model({single_mass("floor", 2, 30, 0), single_mass("shaken", 5, 10, 0)});

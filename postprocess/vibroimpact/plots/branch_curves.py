@@ -10,8 +10,8 @@ from .labels import key_label
 from .layout import Layout, kept
 from .results import Analysis
 
-BRANCH, BALANCE = "branch", "harmonic balance"
-TYPES = (BRANCH, BALANCE)
+BRANCH, BALANCE, MODE = "branch", "harmonic balance", "nonlinear mode"
+TYPES = (BRANCH, BALANCE, MODE)
 
 
 def key_of(analysis: Analysis) -> str:
@@ -22,7 +22,7 @@ def key_of(analysis: Analysis) -> str:
 
 
 def key_name(key: str) -> str:
-    return "Frequency" if key == "frequency" else key_label(key.replace(".", "/"))
+    return key.capitalize() if key in ("frequency", "energy") else key_label(key.replace(".", "/"))
 
 
 def pick(layout: Layout, values: np.ndarray, case) -> np.ndarray:

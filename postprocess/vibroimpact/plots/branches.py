@@ -12,18 +12,20 @@ from matplotlib.lines import Line2D
 
 from . import overlays, style
 from .axis_meaning import Meaning, Panel, note
-from .branch_curves import TYPES, key_name, key_of, pick, pieces
+from .branch_curves import MODE, TYPES, key_name, key_of, pick, pieces
 from .curves import explain
 from .labels import scale_for
 from .layout import LARGEST_FAMILY, Layout, family_of, kept
-from .measures import field_of, sheets
+from .measures import Panel as Curves
+from .measures import Sheet, field_of, sheets
 from .results import Analysis, Results
 
 #        of `special/kind`
 KINDS = {1: ("fold", "o"), 2: ("branch point", "X"), 3: ("period doubling", "^"),
          4: ("loss of symmetry", "v"), 5: ("Neimark–Sacker", "s"), 6: ("grazing", "d"),
          7: ("grazing fold", "D"), 8: ("other contact changes", "|"), 9: ("crossing-sliding", "<"),
-         10: ("grazing-sliding", ">"), 11: ("switching-sliding", "P"), 12: ("adding-sliding", "h")}
+         10: ("grazing-sliding", ">"), 11: ("switching-sliding", "P"), 12: ("adding-sliding", "h"),
+         13: ("fold of the frequency", "*")}
 CRITICAL = (1, 2, 3, 4, 5)  # kinds at which a multiplier is on the unit circle
 
 
@@ -35,11 +37,20 @@ def figures(results: Results, analysis: Analysis):
                                      if len(kept(analysis, name)) > 1])
     if len(layout.cases()) > LARGEST_FAMILY:
         return
-    for sheet in sheets(analysis, "", separate=True):
+    for sheet in (*frequency_sheets(analysis), *sheets(analysis, "", separate=True)):
         yield f"{analysis.name}-{sheet.name}", functools.partial(branch_figure, layout, sheet)
     if analysis.has("multiplier_real"):
         yield f"{analysis.name}-multipliers", functools.partial(multiplier_figure, layout)
         yield f"{analysis.name}-multiplier-moduli", functools.partial(modulus_figure, layout)
+
+
+def frequency_sheets(analysis: Analysis):
+    """Of a nonlinear mode: frequency over energy, and with losses the damping ratio."""
+    if analysis.type == MODE:
+        panels = [Curves("Frequency", [("frequency", "")])]
+        if np.any(analysis.read("damping_ratio").values > 0):
+            panels.append(Curves("Damping ratio", [("damping_ratio", "")]))
+        yield Sheet("frequency", "", panels)
 
 
 def key_scale(analysis: Analysis):

@@ -1,5 +1,5 @@
 """Other results drawn over a figure of a branch: stepped sweeps as points, harmonic balances as
-dash-dotted lines, other branches as lines of their own colour; over a figure with chosen axes as lines.
+dash-dotted lines, other branches and nonlinear modes as lines of their own colour; over a figure with chosen axes as lines.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from . import style
-from .branch_curves import BALANCE, TYPES, key_of, pick, pieces
+from .branch_curves import BALANCE, MODE, TYPES, key_of, pick, pieces
 from .errors import ResultError
 from .figure_axes import has_axes
 from .layout import DIRECTION, Layout, kept, title_of
@@ -72,7 +72,9 @@ def shown_by(results: Results, analyses: list[Analysis], overlay: Analysis) -> b
 def along(analysis: Analysis, key: str):
     """Values of the key in the shape of the fields, or None where it is not what is swept."""
     if analysis.type in TYPES:
-        return analysis.read(key).values if key_of(analysis) == key else None
+        # A backbone lies over motions by the frequency of their forcing.
+        runs = key_of(analysis) == key or (analysis.type == MODE and key == "frequency")
+        return analysis.read(key).values if runs else None
     if key not in analysis.axes or analysis.read(key).values.dtype.kind != "f":
         return None
     return analysis.read(key).values

@@ -36,7 +36,7 @@ void add_observed(const Observable &observed, const RowVector &series, const Row
 
 BalanceTable::BalanceTable(const SweptParameter &parameter, KeyedBalance &system,
                            continuation::HarmonicBalance &problem)
-    : system_(system), problem_(problem), rows_(parameter) {}
+    : system_(system), problem_(problem), rows_(key_label(parameter)) {}
 
 PointResult BalanceTable::values_of(const continuation::BranchPoint &point) const {
   const double key = point.point.keys[0];

@@ -32,6 +32,10 @@ constexpr Coded<GrazeKind> sliding_kinds[] = {
     {GrazeKind::switching_sliding, 11, "switching-sliding"},
     {GrazeKind::adding_sliding, 12, "adding-sliding"}};
 
+// Of motions that no excitation times, along another key.
+enum class FreeKind { frequency_fold };
+constexpr Coded<FreeKind> free_kinds[] = {{FreeKind::frequency_fold, 13, "fold of the frequency"}};
+
 GrazeKind graze_kind(const SpecialPoint &special) {
   return special.graze ? static_cast<GrazeKind>(special.graze->kind) : GrazeKind::contact;
 }
@@ -60,6 +64,8 @@ int kind_number(const SpecialPoint &special, bool symmetric) {
                                     : code_of(sliding_kinds, kind);
 }
 
+int frequency_fold_kind() { return code_of(free_kinds, FreeKind::frequency_fold); }
+
 std::string sliding_words(const SpecialPoint &special) {
   switch (graze_kind(special)) {
   case GrazeKind::contact:
@@ -82,10 +88,14 @@ std::string sliding_words(const SpecialPoint &special) {
   return "";
 }
 
-BranchRows::BranchRows(const SweptParameter &parameter)
+Label key_label(const SweptParameter &parameter) {
+  return {parameter.axis_name(), parameter.unit, parameter.axis().description};
+}
+
+BranchRows::BranchRows(const Label &key)
     : CurveTable("branch",
                  "number of the branch: 0 is that of the start, the others begin at special points",
-                 {{parameter.axis_name(), parameter.unit, parameter.axis().description}}) {}
+                 {key}) {}
 
 void BranchRows::add_point(const BranchPoint &point, PointResult values) {
   add(Part::point, point.point.keys, point.arclength, std::move(values));
@@ -93,7 +103,8 @@ void BranchRows::add_point(const BranchPoint &point, PointResult values) {
 
 void BranchRows::add_special(const BranchPoint &point, int kind, PointResult values) {
   FieldWriter(values).number("kind", kind, "1",
-                             meaning_of(special_kinds) + ", " + meaning_of(sliding_kinds));
+                             meaning_of(special_kinds) + ", " + meaning_of(sliding_kinds) + ", " +
+                                 meaning_of(free_kinds));
   add(Part::special, point.point.keys, point.arclength, std::move(values));
 }
 

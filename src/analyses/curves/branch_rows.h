@@ -11,12 +11,16 @@ namespace vibroimpact::analyses {
 int kind_number(continuation::Special kind, bool symmetric = false);
 /// The same of a point; sides that rub have kinds of their own.
 int kind_number(const continuation::SpecialPoint &special, bool symmetric);
+int frequency_fold_kind();
 /// What becomes of a motion with friction behind a point; empty at all other kinds.
 std::string sliding_words(const continuation::SpecialPoint &special);
 
+/// Of a key that a branch runs along.
+Label key_label(const SweptParameter &parameter);
+
 class BranchRows : public CurveTable {
 public:
-  explicit BranchRows(const SweptParameter &parameter);
+  explicit BranchRows(const Label &key);
 
   void add_point(const continuation::BranchPoint &point, PointResult values);
   /// `kind`: its number.

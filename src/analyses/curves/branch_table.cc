@@ -35,9 +35,8 @@ void add_special_values(const FieldWriter &row, const SpecialPoint &special,
 
 } // namespace
 
-BranchTable::BranchTable(const SweptParameter &parameter, KeyedMap &maps,
-                         const std::vector<RecorderFactory> &recorders)
-    : parameter_(parameter), orbits_(maps, recorders), rows_(parameter) {}
+BranchTable::BranchTable(const Label &key, RowOf row_of)
+    : key_(key), row_of_(std::move(row_of)), rows_(key) {}
 
 void BranchTable::begin(long number, long halves, double sign) {
   halves_ = halves;
@@ -46,8 +45,7 @@ void BranchTable::begin(long number, long halves, double sign) {
 }
 
 PointResult BranchTable::orbit_of(const BranchPoint &point) {
-  PointResult row = orbits_.of(point.point.keys, {.phase = point.point.chart, .halves = halves_},
-                               point.point.state);
+  PointResult row = row_of_(point, halves_);
   if (!row.reason.empty())
     rows_.remark("the motion at " + rows_.at(point.point.keys) + " is not recorded: " + row.reason);
   return row;
@@ -61,7 +59,7 @@ void BranchTable::note_missing(double key, const std::string &why) {
 void BranchTable::note_enclosed(const SpecialPoint &special) {
   std::ostringstream width;
   width.precision(2);
-  width << special.width << (parameter_.unit == "1" ? "" : " " + parameter_.unit);
+  width << special.width << (key_.unit() == "1" ? "" : " " + key_.unit());
   rows_.remark("the contact changes are others from " + rows_.at(special.at.point.keys) +
                " on, or up to " + width.str() +
                " before it, without a grazing motion that could be located");
@@ -88,6 +86,14 @@ void BranchTable::add_fields(PointResult &result) const {
 
 void BranchTable::add(const BranchPoint &point) { rows_.add_point(point, orbit_of(point)); }
 
+void BranchTable::add_frequency_fold(const BranchPoint &at) {
+  SpecialPoint fold;
+  fold.unstable_before = fold.unstable_after = at.unstable;
+  PointResult values = orbit_of(at);
+  add_special_values(values, fold, key_.unit());
+  rows_.add_special(at, frequency_fold_kind(), std::move(values));
+}
+
 void BranchTable::add(const SpecialPoint &special) {
   SpecialPoint ordered = special;
   if (sign_ < 0)
@@ -96,7 +102,7 @@ void BranchTable::add(const SpecialPoint &special) {
     note_enclosed(special);
   note_sliding(special);
   PointResult values = orbit_of(special.at);
-  add_special_values(values, ordered, parameter_.unit);
+  add_special_values(values, ordered, key_.unit());
   rows_.add_special(special.at, kind_number(special, halves_ % 2 != 0), std::move(values));
 }
 

@@ -3,20 +3,24 @@
 
 #include "analyses/curves/branch_follower.h"
 #include "analyses/curves/branch_rows.h"
-#include "analyses/curves/orbit_rows.h"
 #include "analyses/results/field_writer.h"
+
+#include <functional>
 
 namespace vibroimpact::analyses {
 
 class BranchTable : public BranchSink {
 public:
-  /// Keeps references. Motions are recorded over one of their periods.
-  BranchTable(const SweptParameter &parameter, KeyedMap &maps,
-              const std::vector<RecorderFactory> &recorders);
+  /// What is known of the motion of a point, a fixed point of a map over so many half periods; with
+  /// the reason where its recording fails.
+  using RowOf = std::function<PointResult(const continuation::BranchPoint &point, long halves)>;
+  BranchTable(const Label &key, RowOf row_of);
 
   void begin(long number, long halves, double sign) override;
   void add(const continuation::BranchPoint &point) override;
   void add(const continuation::SpecialPoint &special) override;
+  /// Where the frequency of motions turns whose key is another one.
+  void add_frequency_fold(const continuation::BranchPoint &at);
   void drop(long number) override { rows_.drop(number); }
   void note_missing(double key, const std::string &why) override;
   void end(const continuation::Branch &branch) override;
@@ -32,8 +36,8 @@ private:
   void note_enclosed(const continuation::SpecialPoint &special);
   void note_sliding(const continuation::SpecialPoint &special);
 
-  const SweptParameter &parameter_;
-  OrbitRows orbits_;
+  Label key_;
+  RowOf row_of_;
   BranchRows rows_;
   long halves_ = 2;
   double sign_ = 1;

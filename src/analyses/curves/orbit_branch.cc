@@ -1,6 +1,7 @@
 #include "analyses/curves/orbit_branch.h"
 
 #include "analyses/curves/branch_table.h"
+#include "analyses/curves/orbit_rows.h"
 #include "analyses/keys/keyed_system.h"
 #include "analyses/recorders/window_recording.h"
 #include "common/error.h"
@@ -76,7 +77,12 @@ PointResult OrbitBranch::compute(System &system, LineContext &context) const {
                 search.free_period());
   const long halves = maps.symmetric() ? orbit.section.halves : 2 * orbit.multiple();
   const auto problem = std::make_shared<OrbitProblem>(maps, halves, sizes);
-  BranchTable table(settings_.parameter, maps, settings_.recorders);
+  const OrbitRows rows(maps, settings_.recorders);
+  BranchTable table(key_label(settings_.parameter),
+                    [&rows](const continuation::BranchPoint &point, long over) {
+                      return rows.of(point.point.keys, {.phase = point.point.chart, .halves = over},
+                                     point.point.state);
+                    });
   BranchFollower follower(
       {settings_.directions, settings_.continuation, settings_.levels}, table,
       [&](double share) { context.note_progress(share); }, steps.get());

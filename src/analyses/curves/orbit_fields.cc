@@ -69,7 +69,7 @@ double open_phase(const contact::ContactSet &contacts, const periodic::Strobosco
 } // namespace
 
 void add_orbit(const FieldWriter &result, const periodic::StroboscopicMap &map,
-               const periodic::Orbit &orbit, const Vector &state_at_zero) {
+               const periodic::Orbit &orbit, const Vector &state_at_zero, double margin) {
   const OrbitLabels &labels = orbit_labels();
   const FieldWriter listed = result.listed();
   const Eigen::VectorXcd multipliers = orbit.multipliers(map);
@@ -79,7 +79,7 @@ void add_orbit(const FieldWriter &result, const periodic::StroboscopicMap &map,
     result.line("multiplier[1].real", multipliers[0].real(), "1");
     result.line("multiplier[1].imaginary", multipliers[0].imag(), "1");
   }
-  listed.number(labels.stable, periodic::is_stable(multipliers) ? 1 : 0);
+  listed.number(labels.stable, periodic::is_stable(multipliers / (1 + margin)) ? 1 : 0);
   listed.number(labels.residual, orbit.point.residual);
   listed.number(labels.multiple, static_cast<double>(orbit.multiple()));
   listed.number(labels.symmetric, orbit.symmetric() ? 1 : 0);

@@ -10,9 +10,10 @@
 namespace vibroimpact::analyses {
 
 /// Multipliers, stability, residual, multiple, symmetry and section of an orbit, and its state at
-/// phase 0.
+/// phase 0. Multipliers of a stable motion are below 1 + `margin`: without losses some are 1 but
+/// for rounding.
 void add_orbit(const FieldWriter &result, const periodic::StroboscopicMap &map,
-               const periodic::Orbit &orbit, const Vector &state_at_zero);
+               const periodic::Orbit &orbit, const Vector &state_at_zero, double margin = 0);
 
 /// Adds what the recorders see of the motion until it repeats itself. They begin at phase 0, or,
 /// where a contact is closed there, in the middle of the longest stay without one, so that no

@@ -8,14 +8,15 @@ namespace vibroimpact::analyses {
 
 using periodic::Orbit;
 
-PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
-  const periodic::StroboscopicMap &map = maps_.at(keys);
+PointResult orbit_row(const periodic::StroboscopicMap &map, const Orbit &orbit,
+                      const System &system, motion::Trajectory &trajectory,
+                      const std::vector<RecorderFactory> &recorders, double margin) {
   PointResult row;
   const Vector state = state_at_zero_phase(map, orbit);
-  add_orbit(row, map, orbit, state);
+  add_orbit(row, map, orbit, state, margin);
   try {
-    record_orbit(row, recorders_, maps_.system(), map, orbit, state);
-    add_accuracy(row, maps_.trajectory().accuracy(), maps_.system().integration);
+    record_orbit(row, recorders, system, map, orbit, state);
+    add_accuracy(row, trajectory.accuracy(), system.integration);
   } catch (const NumericalError &error) {
     row.reason = error.what();
   }
@@ -23,6 +24,11 @@ PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
                           "0 where the recording of the motion failed and its values are "
                           "NaN; why stands in reason");
   return row;
+}
+
+PointResult OrbitRows::of(const Vector &keys, const Orbit &orbit) const {
+  const periodic::StroboscopicMap &map = maps_.at(keys);
+  return orbit_row(map, orbit, maps_.system(), maps_.trajectory(), recorders_);
 }
 
 PointResult OrbitRows::of(const Vector &keys, const periodic::Section &section,

@@ -15,14 +15,15 @@ void declare_branch_keys(parameters::Section &section) {
   declare_steps(section, "branch");
 }
 
-void declare_steps(parameters::Section &section, const std::string &curve) {
+void declare_steps(parameters::Section &section, const std::string &curve,
+                   const std::string &longest) {
   using namespace parameters;
   section
       .integer("Most points", "1000", Range{.lower = 2, .upper = 1e6}, "",
                "Points in each direction, after which it ends.")
       .quantity(
-          "Longest step", "0.1", dimension::none, Range{.lower = 0, .upper = 1, .lower_open = true},
-          "",
+          "Longest step", longest, dimension::none,
+          Range{.lower = 0, .upper = 1, .lower_open = true}, "",
           "Longest distance between neighbouring points, each key counted in its range and the "
           "state in the size of the motion; 0.03 to 0.05 for stiff contacts.")
       .quantity("Least step", "1e-9", dimension::none,

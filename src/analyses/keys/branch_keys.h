@@ -13,7 +13,8 @@ enum class Directions { both, forward, backward };
 /// Range of the key, Direction, and the steps.
 void declare_branch_keys(parameters::Section &section);
 /// Most points, Longest step and Least step of a `curve`: "branch".
-void declare_steps(parameters::Section &section, const std::string &curve);
+void declare_steps(parameters::Section &section, const std::string &curve,
+                   const std::string &longest = "0.1");
 
 Directions read_direction(const parameters::Values &section);
 /// InputError for steps that exclude each other.
