@@ -8,6 +8,7 @@
 #include "common/petsc_stage.h"
 #include "common/signals.h"
 #include "contact/attachment_damping.h"
+#include "contact/connection_laws.h"
 #include "contact/contact_set.h"
 #include "contact/laws.h"
 #include "contact/unknown_flexibility.h"
@@ -51,6 +52,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
             "of the parameter file.");
   reduction::declare_body(*root);
   model::declare_connections(*root);
+  contact::declare_connection_laws(*root);
   contact::declare_contacts(*root);
   model::declare_excitations(*root);
   model::declare_initial_conditions(*root);

@@ -251,6 +251,11 @@ public:
   /// impact has changed the velocities.
   virtual int mode_by_slip(int mode, const LocalState & /*state*/) const { return mode; }
 
+  /// Why the law does not hold where a motion has come to, "pulls at a penetration of 2e-05 m";
+  /// empty: it does. Asked of modes that are no affine forms, where trial states of a step are
+  /// behind.
+  virtual std::string objection(int /*mode*/, const LocalState & /*state*/) const { return {}; }
+
   /// Internal states where a mode is left, before the guard's resets: what they have drifted off a
   /// limit that the mode keeps is taken off. Most laws have none.
   virtual void leave(int /*mode*/, const LocalState & /*state*/,
@@ -272,7 +277,7 @@ public:
   /// For laws of that form; nothing for all others.
   virtual std::optional<PowerLaw> power_law() const { return std::nullopt; }
 
-  /// Does the force pull where its formula says so? Asked of laws that are no affine forms.
+  /// Does the force pull where its formula says so?
   virtual bool may_pull() const { return false; }
 
   /// The elastic part of the force; nothing for rigid laws and where it is no power of the

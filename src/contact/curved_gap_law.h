@@ -20,6 +20,9 @@ public:
   }
   std::optional<ElasticForce> elastic_force() const override { return law_->elastic_force(); }
   bool may_pull() const override { return law_->may_pull(); }
+  std::string objection(int mode, const LocalState &state) const override {
+    return law_->objection(mode, state);
+  }
   /// Of a force in proportion to the penetration too, which is no affine form here.
   std::optional<ForcePulse> force_pulse(int mode) const override;
 

@@ -3,6 +3,7 @@
 #include "contact/friction/tangential_laws.h"
 #include "contact/laws/bilinear_stop.h"
 #include "contact/laws/constant_force.h"
+#include "contact/laws/formula.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
@@ -10,6 +11,7 @@
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
+#include "contact/laws/table.h"
 #include "contact/laws/tsuji.h"
 
 #include <stdexcept>
@@ -49,6 +51,8 @@ constexpr LawEntry laws[] = {
      NewtonRestitution::create},
     {"constant force", "Constant force", ConstantForce::declare, ConstantForce::create, nullptr,
      nullptr, true},
+    {"table", "Table", Table::declare, Table::create},
+    {"formula", "Formula", FormulaLaw::declare, FormulaLaw::create},
 };
 
 const LawEntry &chosen_law(const parameters::Values &contact) {

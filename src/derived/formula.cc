@@ -3,7 +3,6 @@
 #include "derived/operation.h"
 #include "derived/units_of_fields.h"
 #include "parameters/text.h"
-#include "parameters/variables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,17 +42,12 @@ std::vector<Argument> read_arguments(const Values &section) {
   return arguments;
 }
 
-VariableTable variables_of(const Values &section) {
-  const parameters::ParameterSet &set = section.parameters();
-  return parameters::evaluate_variables(
-      parameters::variable_definitions(set.root().text("Variables"), {}), set.dimensionless());
-}
-
 parameters::Function read_function(const Values &section, const std::vector<Argument> &arguments) {
   std::vector<std::string> names;
   for (const Argument &argument : arguments)
     names.push_back(argument.name);
-  parameters::Function function(section.text("Expression"), variables_of(section), names);
+  parameters::Function function(section.text("Expression"), section.parameters().variables(),
+                                names);
   function(std::vector<double>(names.size(), 1.0));
   return function;
 }
@@ -126,7 +120,7 @@ private:
   std::optional<Dimension> dimension() const {
     if (sample_.empty())
       return std::nullopt;
-    VariableTable table = variables_of(request_.section());
+    VariableTable table = request_.section().parameters().variables();
     for (std::size_t a = 0; a < sample_.size(); ++a) {
       Number number = units_[a];
       number.value = sample_[a];
@@ -201,7 +195,7 @@ void check_formula(const Values &section, const AxisNames &names) {
     unit_of_result(section);
   }
   for (const std::string &variable :
-       parameters::used_variables(section.text("Expression"), variables_of(section))) {
+       parameters::used_variables(section.text("Expression"), section.parameters().variables())) {
     const bool hidden =
         std::any_of(arguments.begin(), arguments.end(),
                     [&](const Argument &argument) { return argument.name == variable; });

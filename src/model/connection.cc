@@ -11,13 +11,16 @@ constexpr parameters::Dimension cubic_stiffness{.length = -2, .mass = 1, .time =
 
 // A swept spring or dashpot may be zero at an end.
 void require_constant(const parameters::Values &section, bool rotation) {
+  if (section.choice("Law") != "none")
+    return;
   if (rotation && !section.given("Rotational stiffness") && !section.given("Rotational damping"))
     section.reject_section("Rotational stiffness or Rotational damping must be given; without one "
                            "the connection does nothing");
   if (!rotation && !section.given("Stiffness") && !section.given("Cubic stiffness") &&
       !section.given("Damping"))
-    section.reject_section("Stiffness, Cubic stiffness or Damping must be given; without one the "
-                           "connection does nothing");
+    section.reject_section(
+        "Stiffness, Cubic stiffness, Damping or a Law must be given; without one "
+        "the connection does nothing");
 }
 
 Connection read_connection(const parameters::Values &section, const std::string &name,
@@ -63,7 +66,10 @@ void declare_connections(parameters::Section &root) {
       .quantity("Rotational stiffness", "0 N m", dimension::rotational_stiffness, range::any,
                 "k_\\theta", "Torque per relative rotation [N m/rad].")
       .quantity("Rotational damping", "0 N m s", dimension::rotational_damping, range::non_negative,
-                "c_\\theta", "Torque per relative angular velocity.");
+                "c_\\theta", "Torque per relative angular velocity.")
+      .choice("Law", "none", {"none", "table", "formula"},
+              "A tension in addition to these, which the section Table or Formula gives. It is "
+              "reported as the force of a contact that never opens, with the opposite sign.");
 }
 
 void add_connections(const parameters::Values &root, Model &model) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vibroimpact::parameters {
 
@@ -20,17 +21,31 @@ struct FunctionEntry {
   const char *name;
   Rule rule;
   double (*value)(double) = nullptr;
+  double (*slope)(double) = nullptr;
 };
 
 const std::vector<FunctionEntry> functions{
-    {"sqrt", Rule::root, std::sqrt},  {"exp", Rule::plain, std::exp},
-    {"ln", Rule::plain, std::log},    {"log10", Rule::plain, std::log10},
-    {"abs", Rule::keep, std::fabs},   {"min", Rule::least},
-    {"max", Rule::greatest},          {"sin", Rule::angle, std::sin},
-    {"cos", Rule::angle, std::cos},   {"tan", Rule::angle, std::tan},
-    {"asin", Rule::plain, std::asin}, {"acos", Rule::plain, std::acos},
-    {"atan", Rule::plain, std::atan}, {"sinh", Rule::plain, std::sinh},
-    {"cosh", Rule::plain, std::cosh}, {"tanh", Rule::plain, std::tanh}};
+    {"sqrt", Rule::root, std::sqrt, [](double x) { return 0.5 / std::sqrt(x); }},
+    {"exp", Rule::plain, std::exp, std::exp},
+    {"ln", Rule::plain, std::log, [](double x) { return 1 / x; }},
+    {"log10", Rule::plain, std::log10, [](double x) { return 1 / (x * std::numbers::ln10); }},
+    {"abs", Rule::keep, std::fabs, [](double x) { return x > 0   ? 1.0
+                                                         : x < 0 ? -1.0
+                                                                 : 0.0; }},
+    {"min", Rule::least},
+    {"max", Rule::greatest},
+    {"sin", Rule::angle, std::sin, std::cos},
+    {"cos", Rule::angle, std::cos, [](double x) { return -std::sin(x); }},
+    {"tan", Rule::angle, std::tan, [](double x) { return 1 + std::tan(x) * std::tan(x); }},
+    {"asin", Rule::plain, std::asin, [](double x) { return 1 / std::sqrt((1 - x) * (1 + x)); }},
+    {"acos", Rule::plain, std::acos, [](double x) { return -1 / std::sqrt((1 - x) * (1 + x)); }},
+    {"atan", Rule::plain, std::atan, [](double x) { return 1 / (1 + x * x); }},
+    {"sinh", Rule::plain, std::sinh, std::cosh},
+    {"cosh", Rule::plain, std::cosh, std::sinh},
+    {"tanh", Rule::plain, std::tanh,
+     [](double x) { return (1 - std::tanh(x)) * (1 + std::tanh(x)); }}};
+
+} // namespace
 
 double combined(StepKind kind, double a, double b) {
   switch (kind) {
@@ -46,6 +61,8 @@ double combined(StepKind kind, double a, double b) {
     return std::pow(a, b);
   }
 }
+
+namespace {
 
 /// The exponents of a + factor * b.
 Dimension sum_of(const Dimension &a, double factor, const Dimension &b) {
@@ -72,7 +89,7 @@ public:
   }
 
   Number called(std::size_t function, const Number *first, std::size_t count) const {
-    const auto &[name, rule, value] = functions[function];
+    const auto &[name, rule, value, slope] = functions[function];
     if (rule == Rule::least || rule == Rule::greatest)
       return extreme(rule == Rule::least, first, count);
     Number result{.value = value(first->value), .bare = first->bare};
@@ -121,22 +138,12 @@ private:
   const std::string &text_;
 };
 
-/// What the step leaves on the stack in place of its values; `Arithmetic` combines and calls.
-template <class Type, class Arithmetic>
-void perform(const Step &step, std::vector<Type> &stack, const Arithmetic &arithmetic) {
-  const std::size_t taken = step.kind == StepKind::call ? step.count : 2;
-  Type *const first = stack.data() + stack.size() - taken;
-  *first = step.kind == StepKind::call ? arithmetic.called(step.index, first, step.count)
-                                       : arithmetic.combined(step.kind, first[0], first[1]);
-  stack.resize(stack.size() - taken + 1);
-}
-
 struct PlainNumbers {
   static double combined(StepKind kind, double a, double b) {
     return parameters::combined(kind, a, b);
   }
   static double called(std::size_t function, const double *first, std::size_t count) {
-    const auto &[name, rule, value] = functions[function];
+    const auto &[name, rule, value, slope] = functions[function];
     if (rule == Rule::least)
       return *std::min_element(first, first + count);
     return rule == Rule::greatest ? *std::max_element(first, first + count) : value(*first);
@@ -188,6 +195,14 @@ double Program::value(const std::vector<double> &arguments) {
 }
 
 bool takes_several_values(std::size_t function) { return functions[function].value == nullptr; }
+
+double function_value(std::size_t function, double argument) {
+  return functions[function].value(argument);
+}
+
+double function_slope(std::size_t function, double argument) {
+  return functions[function].slope(argument);
+}
 
 const std::vector<std::string> &function_names() {
   static const std::vector<std::string> names = [] {

@@ -19,6 +19,21 @@ struct Step {
 
 /// min and max; `function` is an index into function_names().
 bool takes_several_values(std::size_t function);
+/// Of one that takes a single value, and its derivative.
+double function_value(std::size_t function, double argument);
+double function_slope(std::size_t function, double argument);
+/// Sum, difference, product, quotient or power.
+double combined(Step::Kind kind, double a, double b);
+
+/// What the step leaves on the stack in place of its values; `Arithmetic` combines and calls.
+template <class Type, class Arithmetic>
+void perform(const Step &step, std::vector<Type> &stack, const Arithmetic &arithmetic) {
+  const std::size_t taken = step.kind == Step::Kind::call ? step.count : 2;
+  Type *const first = stack.data() + stack.size() - taken;
+  *first = step.kind == Step::Kind::call ? arithmetic.called(step.index, first, step.count)
+                                         : arithmetic.combined(step.kind, first[0], first[1]);
+  stack.resize(stack.size() - taken + 1);
+}
 
 /// Read once, computed as often as wanted, with or without dimensions.
 class Program {

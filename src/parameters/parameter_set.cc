@@ -218,6 +218,8 @@ std::string ParameterSet::key_path(const std::string &path) const try {
 
 Values ParameterSet::root() const { return {shared_from_this(), data_->root}; }
 
+const VariableTable &ParameterSet::variables() const { return data_->variables; }
+
 bool ParameterSet::dimensionless() const { return data_->variables.dimensionless; }
 
 std::string ParameterSet::folder() const {

@@ -14,6 +14,7 @@ namespace vibroimpact::parameters {
 class ParameterSet;
 struct Node;
 struct Value;
+struct VariableTable;
 
 /// One section as the file (with overrides and defaults) has it. Cheap to copy; the ParameterSet
 /// behind it is shared. Asking for an undeclared key or with the wrong kind is a std::logic_error;
@@ -129,6 +130,7 @@ public:
   std::shared_ptr<const ParameterSet> with(const std::vector<Override> &more) const;
 
   Values root() const;
+  const VariableTable &variables() const;
   /// Units = dimensionless: no number has a unit, and none is to be shown with one.
   bool dimensionless() const;
   /// The one spelling of an override path: "Contact heads/Clearance", "Variables/lambda". Throws

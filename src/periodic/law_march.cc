@@ -138,6 +138,7 @@ void LawMarch::act(LawPart &part, const LawState &state) const {
       this->stages(state, part.gap.segment(1, nodes), part.gap_rate.segment(1, nodes), part.length);
   const std::vector<Matrix> slopes = carry_slopes(stages, part, rate_slope, state);
   part.internal = stages.internal;
+  refuse_objections(part, state);
   part.end.internal = stages.end;
   part.force.resize(nodes);
   part.force_slope.resize(grid_.coefficients(), nodes);
@@ -149,6 +150,18 @@ void LawMarch::act(LawPart &part, const LawState &state) const {
     if (internals_ > 0)
       part.force_slope.col(k) +=
           slopes[static_cast<std::size_t>(k)].transpose() * column(at.force_by_internal);
+  }
+}
+
+void LawMarch::refuse_objections(const LawPart &part, const LawState &state) const {
+  if (law_.modes()[static_cast<std::size_t>(state.mode)].affine)
+    return;
+  for (Index k = 0; k < HarmonicGrid::nodes; ++k) {
+    const Vector internal = part.internal.col(k);
+    const std::string objection =
+        law_.objection(state.mode, local_state(part.gap(k + 1), part.gap_rate(k + 1), internal));
+    if (!objection.empty())
+      throw NumericalError("the force of a contact " + objection);
   }
 }
 

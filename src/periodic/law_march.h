@@ -49,6 +49,7 @@ public:
   LawState start() const;
   const std::vector<contact::Guard> &guards(const LawState &state) const;
 
+  /// NumericalError where the law objects to a state of it.
   LawPart part(Index interval, const LawState &state) const;
   LawPart part(double begin, double end, const LawState &state) const;
   /// Of a guard at the places of a part that begins in `state`: nodes + 2.
@@ -67,6 +68,7 @@ private:
   LawPart make_part(double begin, double end, Matrix basis, const Vector &first, const Vector &last,
                     const LawState &state) const;
   void act(LawPart &part, const LawState &state) const;
+  void refuse_objections(const LawPart &part, const LawState &state) const;
   bool inactive(const LawState &state) const;
   Stages stages(const LawState &state, const RowVector &gap, const RowVector &rate,
                 double length) const;

@@ -51,6 +51,9 @@ public:
   double impact_friction() const override { return law_->impact_friction(); }
   double static_friction() const override { return law_->static_friction(); }
   bool may_pull() const override { return law_->may_pull(); }
+  std::string objection(int mode, const contact::LocalState &state) const override {
+    return law_->objection(mode, state);
+  }
 
 protected:
   OverlookingContact(std::shared_ptr<const contact::ContactLaw> law,

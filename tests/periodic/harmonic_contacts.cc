@@ -4,12 +4,15 @@
 
 #include "common/error.h"
 #include "contact/laws/bilinear_stop.h"
+#include "contact/laws/crushable_table.h"
+#include "contact/laws/formula.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
+#include "contact/laws/table.h"
 #include "contact/laws/tsuji.h"
 #include "continuation/harmonic_series.h"
 
@@ -141,6 +144,18 @@ TEST_P(HarmonicContactsTable, derivative) {
 
 contact::HertzConstants hertz() { return {.stiffness = 20, .exponent = 1.5}; }
 
+std::shared_ptr<const contact::ContactLaw> comes_back() {
+  return std::make_shared<contact::CrushableTable>(
+      contact::CrushCurves(contact::ForceCurve({0, 0.3, 0.9}, {0, 12, 20}),
+                           contact::ForceCurve({0, 0.5, 0.9}, {0, 2, 7}), 60));
+}
+
+std::shared_ptr<const contact::FormulaLaw> formula(const std::string &text,
+                                                   double largest_penetration = 5) {
+  return std::make_shared<contact::FormulaLaw>(parameters::Formula(text, {}, {"x", "v"}),
+                                               largest_penetration, contact::Tension::refused);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     of, HarmonicContactsTable,
     ::testing::Values(
@@ -152,10 +167,21 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hunt_crossley", contact::HuntCrossley::with_dissipation(hertz(), 0.4), 1e-4},
         Case{"hunt_crossley_of_each_impact",
              contact::HuntCrossley::with_dimensionless_damping(hertz(), 0.3, 1e-6), 1e-4},
+        Case{"table",
+             std::make_shared<contact::Table>(contact::ForceCurve({0, 0.2, 0.6}, {0, 4, 30}), 2,
+                                              false)},
+        Case{"table_that_comes_back", comes_back()},
+        Case{"formula", formula("30*x + 20*x^2*(1 + 0.2*v)")},
         // Slopes that are infinite at the touch, u^(-3/4) and u^(-1/2), are integrated roughly.
         Case{"tsuji", std::make_shared<contact::Tsuji>(20, 1), 2e-2},
         Case{"kuwabara_kono", std::make_shared<contact::KuwabaraKono>(20, 0.1), 1e-2}),
     [](const auto &named) { return named.param.name; });
+
+TEST(HarmonicContactsTest, AFormulaThatPullsOrEndsIsRefused) {
+  for (const auto &law :
+       {formula("20*x^1.5*(1 + 9*v)"), formula("20*x^1.5 + 90*x^2*v"), formula("20*x^1.5", 0.1)})
+    EXPECT_THROW(contact_series(pair_of(law), gap_of(5), 1.7, {5, 20}), NumericalError);
+}
 
 // F = k max(0, cos phi - c) pushes where |phi| < p = acos c: a_0 = k (sin p - p c) / pi,
 // a_h = 2 k / pi (...) in closed form.

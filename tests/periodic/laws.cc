@@ -1,11 +1,14 @@
 // Periodic motions against a stop of every law: the motion repeats itself, and its derivative is
 // that of differences of the motion.
+#include "contact/laws/crushable_table.h"
+#include "contact/laws/formula.h"
 #include "contact/laws/hertz.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "contact/laws/kuwabara_kono.h"
 #include "contact/laws/linear_penalty.h"
+#include "contact/laws/table.h"
 #include "contact/laws/tsuji.h"
 #include "forced_models.h"
 
@@ -63,6 +66,17 @@ TEST_P(LawsTable, repeats_itself_with_its_derivative) {
       << expected;
 }
 
+std::shared_ptr<const contact::ContactLaw> comes_back() {
+  return std::make_shared<contact::CrushableTable>(
+      contact::CrushCurves(contact::ForceCurve({0, 2e-3, 2e-2}, {0, 8, 40}),
+                           contact::ForceCurve({0, 4e-3, 2e-2}, {0, 4, 24}), 8000));
+}
+
+std::shared_ptr<const contact::ContactLaw> formula(const std::string &text) {
+  return std::make_shared<contact::FormulaLaw>(parameters::Formula(text, {}, {"x", "v"}), 1,
+                                               contact::Tension::refused);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     LawsOfContacts, LawsTable,
     ::testing::Values(
@@ -76,6 +90,12 @@ INSTANTIATE_TEST_SUITE_P(
              contact::HuntCrossley::with_dimensionless_damping({.stiffness = 4e4, .exponent = 1.5},
                                                                0.4, 1e-9),
              1e-9},
+        Case{"table",
+             std::make_shared<contact::Table>(contact::ForceCurve({0, 2e-3, 1e-2}, {0, 6, 60}), 20,
+                                              false)},
+        Case{"table that comes back", comes_back()},
+        Case{"formula", formula("4e4*x^1.5*(1 + 0.4*v)"), 1e-9},
+        Case{"formula in steps", formula("3e3*x + 4e4*x^1.5*(1 + 0.4*v^2)"), 1e-9},
         Case{"Kuwabara-Kono", std::make_shared<contact::KuwabaraKono>(4e4, 1e-3), 1e-9},
         Case{"Tsuji", std::make_shared<contact::Tsuji>(4e4, 40), 1e-9},
         Case{"Newton's restitution", testing::newton(0.7)}));

@@ -1,6 +1,7 @@
 #include "analyses/run/system.h"
 
 #include "common/error.h"
+#include "contact/connection_laws.h"
 #include "contact/contact_sections.h"
 #include "model/assembled_system.h"
 #include "model/connection.h"
@@ -75,8 +76,9 @@ System build_system(const parameters::Values &root, const parameters::Values &an
   model::add_rotors(root, model);
   const std::vector<std::string> contacts =
       contact::contact_names(root, listed_instances(root, "Contacts", "Contact"));
-  ContactSet contact_set =
-      contact::read_contacts(root, selected(analysis, "Active contacts", contacts), model);
+  ContactSet contact_set = contact::with_connections(
+      root, model,
+      contact::read_contacts(root, selected(analysis, "Active contacts", contacts), model));
   const std::vector<std::string> conditions =
       selected(analysis, "Initial conditions", root.instances("Initial condition"));
   model::InitialState initial = model::read_initial_state(root, conditions, model);

@@ -1,7 +1,6 @@
 #include "contact/friction/frictional_law.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -37,35 +36,6 @@ AffineForm normal_force_of(const Mode &mode) {
   return mode.affine ? mode.affine->force : AffineForm::force_along(0);
 }
 
-std::vector<double> coefficients(const AffineForm &form, std::size_t n_internal) {
-  std::vector<double> list = {form.constant, form.gap, form.gap_rate, form.normal_force};
-  list.insert(list.end(), form.internal.begin(), form.internal.end());
-  list.resize(4 + n_internal, 0.0);
-  return list;
-}
-
-// Is one of the forms a positive multiple of the other?
-bool same_sign(const AffineForm &form, const AffineForm &other, std::size_t n_internal) {
-  const std::vector<double> a = coefficients(form, n_internal);
-  const std::vector<double> b = coefficients(other, n_internal);
-  double products = 0, first = 0, second = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    products += a[i] * b[i];
-    first += a[i] * a[i];
-    second += b[i] * b[i];
-  }
-  return products > (1 - 1e-12) * std::sqrt(first * second);
-}
-
-// Does the mode end where its force would pull?
-bool only_pushes(const Mode &mode, std::size_t n_internal) {
-  const AffineForm &force = mode.affine->force;
-  return force.zero() || same_sign(force, {.constant = 1}, n_internal) ||
-         std::any_of(mode.guards.begin(), mode.guards.end(), [&](const Guard &guard) {
-           return same_sign(force, guard.indicator, n_internal);
-         });
-}
-
 AffineForm internal_state(std::size_t place) {
   AffineForm form{.internal = std::vector<double>(place + 1, 0.0)};
   form.internal[place] = 1;
@@ -93,10 +63,8 @@ void TangentialLaw::evaluate(int /*mode*/, const LocalState & /*state*/,
 std::string why_no_friction(const ContactLaw &normal, const TangentialLaw &tangential) {
   if (normal.rigid() && !tangential.coefficients())
     return "rigid sides (coulomb without Damping constant is possible),";
-  const auto n_internal = static_cast<std::size_t>(normal.n_internal());
-  for (const Mode &mode : normal.modes())
-    if (mode.affine ? !only_pushes(mode, n_internal) : normal.may_pull())
-      return "a normal force that may pull,";
+  if (normal.may_pull())
+    return "a normal force that may pull,";
   return "";
 }
 
@@ -207,6 +175,10 @@ std::vector<InternalState> FrictionalLaw::internal_states() const {
   for (InternalState &own : tangential_->internal_states())
     states.push_back(std::move(own));
   return states;
+}
+
+std::string FrictionalLaw::objection(int mode, const LocalState &state) const {
+  return normal_->objection(parts_[static_cast<std::size_t>(mode)].normal, of_normal(state));
 }
 
 // A force that depends on the slip rate alone begins and ends with a jump.

@@ -30,6 +30,7 @@ public:
   int n_tangential() const override { return tangential_->n_directions(); }
   int initial_mode(const LocalState &state) const override;
   int mode_by_slip(int mode, const LocalState &state) const override;
+  std::string objection(int mode, const LocalState &state) const override;
   void leave(int mode, const LocalState &state, std::span<double> internal) const override;
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   std::optional<ElasticForce> elastic_force() const override { return normal_->elastic_force(); }

@@ -33,6 +33,7 @@ public:
   int initial_mode(const LocalState &state) const override { return open_or_contact(state); }
   void evaluate(int mode, const LocalState &state, LawResponse &response) const override;
   std::optional<ElasticForce> elastic_force() const override;
+  bool may_pull() const override { return damping_constant_ > 0; }
 
 private:
   double stiffness_;

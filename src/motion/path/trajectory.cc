@@ -5,6 +5,7 @@
 #include "motion/event/mode_change.h"
 #include "motion/moments/moment_path.h"
 #include "motion/path/exact_path.h"
+#include "motion/path/law_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -397,6 +398,7 @@ void Trajectory::move(double end, const Observers &observers) {
     if (steppers_.present().time() > steppers_.present().previous_time())
       show(view());
     scales_.note(time(), state());
+    check_laws(equations_, time(), state());
     if (changes) {
       crossing.reason = reason_for_steps();
       change_modes(crossing, observers);
