@@ -2,8 +2,9 @@
 """Random vibration against stops beside the stationary density exp(-(v^2/2 + x^2/2 + U(x))/T) / Z, by quadrature; a sum of
 independent means of which each may differ by chance.
 
-With the density of x alone, p(x): mean force and share in contact are its integrals, impacts come at the rate
-p(1) sqrt(T/(2 pi)), and their mean speed is sqrt(pi T/2).
+With the density of x alone, p(x): mean force, share in contact and parts of the time above a level are its integrals; the
+displacement rises through the level a at the rate p(a) sqrt(T/(2 pi)) (Rice), as impacts come at that of a = 1, and their
+mean speed is sqrt(pi T/2).
 """
 import numpy
 import scipy.integrate
@@ -14,6 +15,7 @@ T, GAP, STIFFNESS = 1.0, 1.0, 10.0
 LAWS = {"linear": (lambda d: STIFFNESS * d, lambda d: STIFFNESS * d**2 / 2),
         "hertz": (lambda d: STIFFNESS * d**1.5, lambda d: STIFFNESS * d**2.5 / 2.5),
         "rigid": (None, None)}
+LEVELS = (-2.0, -1.0, 0.0, 0.5)
 ALLOWED = 4.0  # standard errors of a mean
 
 
@@ -35,6 +37,9 @@ def exact(law):
               "mean square of the velocity": T,
               "impacts per unit of time": density(GAP) / whole * numpy.sqrt(T / (2 * numpy.pi)),
               "mean speed of impacts": numpy.sqrt(numpy.pi * T / 2)}
+    for level in LEVELS:
+        values[f"rises through {level:g} per unit of time"] = density(level) / whole * numpy.sqrt(T / (2 * numpy.pi))
+        values[f"share of time above {level:g}"] = 1 - integral(density, level) / whole
     if force:
         values["mean force"] = scipy.integrate.quad(lambda x: force(x - GAP) * density(x), GAP, 8, epsabs=1e-12)[0] / whole
         values["share of time in contact"] = scipy.integrate.quad(density, GAP, 8, epsabs=1e-12)[0] / whole
@@ -49,6 +54,9 @@ def members(analysis, law, window):
              "mean square of the velocity": analysis["point/oscillator.mass/velocity_x/rms"][:] ** 2,
              "impacts per unit of time": analysis[stop + "impacts"][:] / window,
              "mean speed of impacts": analysis[stop + "approach_speed/mean"][:]}
+    for i, level in enumerate(LEVELS):
+        found[f"rises through {level:g} per unit of time"] = analysis["point/oscillator.mass/displacement_x/up_crossing_rate"][:, i]
+        found[f"share of time above {level:g}"] = analysis["point/oscillator.mass/displacement_x/fraction_above"][:, i]
     if law != "rigid":
         found["mean force"] = analysis[stop + "normal_force/mean"][:]
         found["share of time in contact"] = analysis[stop + "contact_fraction"][:]

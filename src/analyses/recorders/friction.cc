@@ -117,7 +117,7 @@ void FrictionRecorder::begin(const Window &window, const motion::Trajectory &tra
     if (track.sectors)
       track.sectors->work.clear();
   }
-  blocks_.begin(window.start, wear(first_));
+  blocks_.begin(window, settings_.blocks, wear(first_));
 }
 
 bool FrictionRecorder::sees_steps(const motion::Equations &equations) const {
@@ -133,24 +133,18 @@ void FrictionRecorder::step(const motion::StepView &view) {
   interval(view);
 }
 
-// A block of a window without periods ends with the part in which its end lies.
 void FrictionRecorder::interval(const motion::Interval &part) {
   for (Track &track : tracks_) {
     const Friction friction = part.equations().mode(track.contact).friction;
     track.stuck += friction == Friction::stick ? part.length() : 0;
     track.slipped += friction == Friction::slip ? part.length() : 0;
   }
-  const double block = window_.length() / static_cast<double>(settings_.blocks);
-  const auto number = [&](double time) { return std::floor((time - window_.start) / block); };
-  if (window_.cycles == 0 && number(part.end()) > number(blocks_.last_end()) &&
-      part.end() < window_.end)
+  if (blocks_.ends_with(part))
     blocks_.end_block(part.end(), wear(part.end_state()));
 }
 
 void FrictionRecorder::period_end(long cycle, const motion::Trajectory &trajectory) {
-  const long blocks = std::min(settings_.blocks, window_.cycles);
-  if (cycle < window_.cycles &&
-      cycle * blocks / window_.cycles > (cycle - 1) * blocks / window_.cycles)
+  if (blocks_.ends_with_period(cycle))
     blocks_.end_block(trajectory.time(), wear(trajectory.state()));
 }
 

@@ -7,7 +7,7 @@
 
 #include "analyses/recorders/recorder.h"
 #include "analyses/recorders/sector_work.h"
-#include "analyses/signals/block_means.h"
+#include "analyses/recorders/window_blocks.h"
 
 #include <optional>
 #include <vector>
@@ -71,7 +71,7 @@ private:
   std::vector<Track> tracks_; ///< in the order of ContactPair::sliding_place
   Window window_;
   Vector first_, change_; ///< states
-  BlockMeans blocks_;     ///< of what wear() gives
+  WindowBlocks blocks_;   ///< of what wear() gives
   motion::StateLayout layout_;
 };
 

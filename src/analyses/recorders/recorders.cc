@@ -6,6 +6,7 @@
 #include "analyses/recorders/friction.h"
 #include "analyses/recorders/history.h"
 #include "analyses/recorders/impacts.h"
+#include "analyses/recorders/level_crossings.h"
 #include "analyses/recorders/lyapunov.h"
 #include "analyses/recorders/quasi_static.h"
 #include "analyses/recorders/regime.h"
@@ -25,6 +26,8 @@ constexpr RecorderKind recorder_kinds[] = {
     {"extreme values", "smallest and largest values", ExtremeValues::declare,
      ExtremeValues::create},
     {"statistics", "means and root mean squares", Statistics::declare, Statistics::create},
+    {"level crossings", "how often levels are passed, and for how long", LevelCrossings::declare,
+     LevelCrossings::create},
     {"impacts", "figures of the impacts", Impacts::declare, Impacts::create},
     {"stresses", "largest von Mises stresses", Stresses::declare, Stresses::create},
     {"energy", "works and losses", Energy::declare, Energy::create},
