@@ -90,15 +90,18 @@ void HighOrderStepper::find_curved_guards() {
 }
 
 // In the time r / |u'| the normal turns by no more than an angle of pi / 2; past the centre it
-// jumps, even where no force does so and the errors of the step know nothing of it.
+// jumps, even where no force does so and the errors of the step know nothing of it. A motion
+// through the centre itself steps over a small part of the gap there.
 double HighOrderStepper::curved_step() const {
   constexpr double part = 0.25;
+  constexpr double centre = 1e-3;
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t c : curved_guards_) {
     const contact::CircularFrame at = equations_.frame(c, start_.time, view_of(start_.state));
     const double speed = std::hypot(at.gap_rate, at.turning);
-    if (at.distance > 0 && speed > 0)
-      least = std::min(least, part * at.distance / speed);
+    const double clearance = equations_.contacts().pairs()[c].circle->clearance();
+    if (speed > 0)
+      least = std::min(least, part * std::max(at.distance, centre * clearance) / speed);
   }
   return least;
 }
