@@ -60,8 +60,9 @@ System oscillator(double damping = 0) {
   return testing::system_of(model::Model({testing::single_mass("block", 1, 1, damping)}));
 }
 
-System oscillator_on_stop(double clearance, std::shared_ptr<const contact::ContactLaw> law) {
-  System system = oscillator();
+System oscillator_on_stop(double clearance, std::shared_ptr<const contact::ContactLaw> law,
+                          double damping = 0) {
+  System system = oscillator(damping);
   system.contacts = contact::ContactSet(
       {testing::contact_along_x(system.model, "block.head", "", clearance, std::move(law))});
   return system;
@@ -311,6 +312,22 @@ TEST(NonlinearModes, RestitutionIsBalanced) {
       EXPECT_NEAR(omega, 2 / std::sqrt(1 + decrement * decrement), 1e-11);
     for (const double excitation : field_of(result, "self_excitation").values)
       EXPECT_NEAR(excitation, 2 * decrement / std::sqrt(1 + decrement * decrement), 1e-11);
+  }
+}
+
+// The dashpot of a single mass is balanced at every instant, so that it moves as one without.
+TEST(NonlinearModes, DashpotOfASingleMassIsBalancedAtEveryInstant) {
+  NonlinearMode::Settings settings = between(0.1, 5);
+  settings.losses = periodic::Losses::balanced;
+  const double damping = 0.06;
+  const PointResult result = mode_of(oscillator_on_stop(1, testing::newton(1), damping), settings);
+  const Backbone backbone(result);
+  EXPECT_DOUBLE_EQ(backbone.energy.back(), 5);
+  for (std::size_t i = 0; i < backbone.energy.size(); ++i) {
+    const double amplitude = std::sqrt(2 * backbone.energy[i]);
+    const double period = amplitude <= 1 ? 2 * pi : 2 * (pi - std::acos(1 / amplitude));
+    EXPECT_NEAR(2 * pi / backbone.omega[i], period, 1e-10) << backbone.energy[i];
+    EXPECT_NEAR(field_of(result, "self_excitation").values[i], damping, 1e-11);
   }
 }
 
