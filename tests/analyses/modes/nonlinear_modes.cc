@@ -5,6 +5,7 @@
 #include "analyses/curves/orbit_branch.h"
 
 #include "common/zero.h"
+#include "contact/laws/hertz.h"
 #include "contact/laws/linear_penalty.h"
 #include "support/recorded_windows.h"
 #include "support/rigid_contacts.h"
@@ -177,6 +178,49 @@ TEST(NonlinearModes, CubicSpringByEllipticIntegrals) {
           << cubic << " at " << backbone.energy[i];
     }
   }
+}
+
+std::shared_ptr<const contact::ContactLaw> power_law(double stiffness, double exponent) {
+  return std::make_shared<contact::Hertz>(
+      contact::HertzConstants{.stiffness = stiffness, .exponent = exponent});
+}
+
+// Stops on both sides that touch at rest, of force g u^3: the cubic spring.
+TEST(NonlinearModes, TwoStopsOfCubicForceAreACubicSpring) {
+  System system = oscillator_on_stop(0, power_law(0.5, 3));
+  contact::ContactPair left = system.contacts.pairs()[0];
+  left.name = "left";
+  left.gap.row *= -1;
+  system.contacts = contact::ContactSet({system.contacts.pairs()[0], left});
+  const Backbone backbone(mode_of(system, between(0.01, 4)));
+  for (std::size_t i = 0; i < backbone.energy.size(); ++i) {
+    const double square = (std::sqrt(1 + 2 * backbone.energy[i]) - 1) / 0.5;
+    EXPECT_NEAR(backbone.omega[i], backbone_of_cubic_spring(0.5, square), 1e-8)
+        << backbone.energy[i];
+  }
+}
+
+/// Behind a Hertz stop that touches at rest: twice the integral of du / sqrt(2 (E - V)) up to the
+/// turn, V = u^2 / 2 + k u^(5/2) / 2.5, over u = turn sin^2 s by Simpson's rule.
+double time_behind_hertz_stop(double energy, double stiffness) {
+  const auto stored = [&](double u) { return u * u / 2 + stiffness * std::pow(u, 2.5) / 2.5; };
+  const double turn =
+      zero_between([&](double u) { return stored(u) - energy; }, 0, std::sqrt(2 * energy));
+  constexpr int parts = 2000;
+  double sum = 2 * turn / std::sqrt(2 * turn * (turn + stiffness * std::pow(turn, 1.5)));
+  for (int i = 1; i < parts; ++i) {
+    const double s = i * pi / 2 / parts, u = turn * std::sin(s) * std::sin(s);
+    sum += (i % 2 != 0 ? 4 : 2) * turn * std::sin(2 * s) / std::sqrt(2 * (energy - stored(u)));
+  }
+  return 2 * sum * pi / 2 / parts / 3;
+}
+
+TEST(NonlinearModes, HertzStopByQuadrature) {
+  const Backbone backbone(mode_of(oscillator_on_stop(0, power_law(20, 1.5)), between(0.01, 4)));
+  for (std::size_t i = 0; i < backbone.energy.size(); ++i)
+    EXPECT_NEAR(2 * pi / backbone.omega[i], pi + time_behind_hertz_stop(backbone.energy[i], 20),
+                1e-8)
+        << backbone.energy[i];
 }
 
 // T = 4 asin(1 / A) between rigid stops on both sides, pi on one that touches at rest.
