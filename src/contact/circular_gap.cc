@@ -16,6 +16,11 @@ void add(const AcrossAxis &along, double position, double rate, AffineForm &form
   form.tangential[0].rate += rate * along[1];
 }
 
+// s / r; at the centre, where nothing touches and any direction serves, directions do not turn.
+double bend_of(double sense, const CircularFrame &frame) {
+  return frame.distance > 0 ? sense / frame.distance : 0;
+}
+
 } // namespace
 
 AffineForm normal_force_gradient(const LawResponse &response) {
@@ -60,7 +65,7 @@ void CircularGap::see(const CircularFrame &frame, LocalState &state) const {
 // g'' = n . u'' - s (t . u')^2 / r,  v' = t . u'' + s (n . u') (t . u') / r
 double CircularGap::acceleration(const CircularFrame &frame, const AcrossAxis &acceleration,
                                  int direction) const {
-  const double turning = sense_ * frame.turning / frame.distance;
+  const double turning = bend_of(sense_, frame) * frame.turning;
   return direction == 0 ? dot(frame.normal, acceleration) - turning * frame.turning
                         : dot(frame.tangent, acceleration) + turning * frame.gap_rate;
 }
@@ -74,7 +79,7 @@ AcrossAxis CircularGap::force(const CircularFrame &frame, const LawResponse &res
 
 // dg = n . du, dg' = n . du' - s (t . u') (t . du) / r, dv = t . du' + s (n . u') (t . du) / r
 AffineForm CircularGap::gradient(const CircularFrame &frame, const AffineForm &form) const {
-  const double bend = sense_ / frame.distance;
+  const double bend = bend_of(sense_, frame);
   const double slip_rate = form.tangential[0].rate;
   AffineForm made{.internal = form.internal};
   add(frame.normal, form.gap, form.gap_rate, made);
@@ -94,7 +99,7 @@ std::array<AffineForm, 2> CircularGap::force_gradient(const CircularFrame &frame
   for (std::size_t k = 0; k < made.size(); ++k) {
     made[k] = frame.normal[k] * normal + frame.tangent[k] * tangential;
     add(frame.tangent,
-        sense_ / frame.distance *
+        bend_of(sense_, frame) *
             (response.tangential[0].force * frame.normal[k] - response.force * frame.tangent[k]),
         0, made[k]);
   }
@@ -105,12 +110,11 @@ std::array<AffineForm, 2> CircularGap::force_gradient(const CircularFrame &frame
 // d(s w^2 / r) = 2 s w dw / r - s w^2 dr / r^2,  dw = t . du' + s g' (t . du) / r,  dr = -s n . du
 AffineForm CircularGap::acceleration_gradient(const CircularFrame &frame,
                                               const AcrossAxis &acceleration) const {
-  const double bend = sense_ / frame.distance;
-  const double turning = frame.turning / frame.distance;
+  const double bend = bend_of(sense_, frame);
+  const double turning = bend * frame.turning; // s w / r
   AffineForm made;
-  add(frame.tangent,
-      -bend * dot(frame.tangent, acceleration) - 2 * turning * frame.gap_rate / frame.distance,
-      -2 * sense_ * turning, made);
+  add(frame.tangent, -bend * (dot(frame.tangent, acceleration) + 2 * turning * frame.gap_rate),
+      -2 * turning, made);
   add(frame.normal, -turning * turning, 0, made);
   return made;
 }

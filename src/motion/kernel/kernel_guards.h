@@ -83,10 +83,13 @@ inline double guard_margin(const PhaseView &p, int guard, const double *amplitud
   const SquaresView *squares = squares_of(p, guard);
   if (!squares)
     return guard_rounding * form_size(p, guard, amplitudes) + noise[guard];
+  // Where the sum is not below zero, the first form is the largest of them.
+  const double largest = form_size(p, squares->first, amplitudes);
   double total = 0;
   for (int i = 0; i < n_squares; ++i) {
-    const double size = form_size(p, squares->first + i, amplitudes);
-    total += 2 * size * (guard_rounding * size + noise[squares->first + i]);
+    const double size = i == 0 ? largest : form_size(p, squares->first + i, amplitudes);
+    const double error = guard_rounding * size + noise[squares->first + i];
+    total += error * (2 * largest + error);
   }
   return __builtin_fabs(squares->scale) * total;
 }

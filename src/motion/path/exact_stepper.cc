@@ -60,10 +60,12 @@ public:
     const GuardProduct *const product = product_of(guard);
     if (!product)
       return rounding_of_form(guard);
-    double sum = 0; // of f^2 by 2 |f| times that of f, which is a small part of its terms' sizes
+    // Of f^2 by that of f; where the sum is not below zero, the first form is the largest of them.
+    const double largest = rounding_of_form(product->factors) / guard_rounding;
+    double sum = 0;
     for (const auto &[factor, sign] : squares(*product)) {
       const double error = rounding_of_form(factor);
-      sum += 2 * std::abs(sign) * error * error / guard_rounding;
+      sum += std::abs(sign) * error * (2 * largest + error);
     }
     return sum;
   }

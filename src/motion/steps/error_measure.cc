@@ -94,7 +94,9 @@ void ErrorMeasure::read_contact(std::size_t contact, const EndPoint &point, Scal
       contact, point.time, x, ConstVectorView(point.rates.data() + layout.velocity(), layout.n)));
   if (!acts(contact))
     return;
-  const double stored = equations_.contact_energy(contact, equations_.modes()[contact], local);
+  // The potential of a force that does not end with the gap has any sign: below zero it is no size.
+  const double stored =
+      std::max(0.0, equations_.contact_energy(contact, equations_.modes()[contact], local));
   const double kinetic = mass_[contact] * local.gap_rate * local.gap_rate / 2;
   of.energy = stored + kinetic;
   of.force = std::abs(point.rates[layout.impulse(static_cast<Index>(contact))]);

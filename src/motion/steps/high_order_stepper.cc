@@ -1,6 +1,7 @@
 #include "motion/steps/high_order_stepper.h"
 
 #include "common/error.h"
+#include "motion/interval/guard_products.h"
 #include "motion/steps/dormand_prince_8.h"
 #include "motion/system/decayed_states.h"
 
@@ -76,6 +77,32 @@ void HighOrderStepper::find_only_contact() {
     only_contact_.reset();
 }
 
+// Contacts in circular gaps with a guard that is no sum of squares: a curve through its values at
+// the ends of a step.
+void HighOrderStepper::find_curved_guards() {
+  curved_guards_.clear();
+  for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
+    const std::vector<contact::Guard> &guards = equations_.mode(c).guards;
+    if (equations_.contacts().pairs()[c].circle &&
+        std::ranges::any_of(guards, [](const auto &of) { return !is_product(of.indicator); }))
+      curved_guards_.push_back(c);
+  }
+}
+
+// In the time r / |u'| the normal turns by no more than an angle of pi / 2; past the centre it
+// jumps, even where no force does so and the errors of the step know nothing of it.
+double HighOrderStepper::curved_step() const {
+  constexpr double part = 0.25;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t c : curved_guards_) {
+    const contact::CircularFrame at = equations_.frame(c, start_.time, view_of(start_.state));
+    const double speed = std::hypot(at.gap_rate, at.turning);
+    if (at.distance > 0 && speed > 0)
+      least = std::min(least, part * at.distance / speed);
+  }
+  return least;
+}
+
 LocalState HighOrderStepper::contact_at(const EndPoint &point) const {
   return equations_.local_state(*only_contact_, point.time, view_of(point.state));
 }
@@ -88,6 +115,7 @@ void HighOrderStepper::restart(double time, const Vector &x) {
   start_ = end_;
   measure_.begin(end_);
   find_only_contact();
+  find_curved_guards();
   begins_contact_ = false;
   if (only_contact_) {
     const LocalState local = contact_at(end_);
@@ -299,7 +327,7 @@ double HighOrderStepper::instant_tolerance() const {
 
 // Where the next step is to end, at first.
 double HighOrderStepper::wanted_step(double left) const {
-  const double wanted = std::min(natural_step_, maximum_step_);
+  const double wanted = std::min({natural_step_, maximum_step_, curved_step()});
   if (wanted < left - 0.9 * steps_.last)
     return wanted;
   // What is left then is a good last step.

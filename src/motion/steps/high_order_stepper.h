@@ -57,6 +57,8 @@ private:
   void add_higher(EndPoint &point);
   void read_sources(double time);
   void find_only_contact();
+  void find_curved_guards();
+  double curved_step() const;
   contact::LocalState contact_at(const EndPoint &point) const;
   bool opening() const;
   double rest_of_contact() const;
@@ -81,6 +83,7 @@ private:
   Vector elastic_, damping_;
   std::vector<model::ExponentialForm> sources_; ///< empty: without closed form
   bool has_higher_ = false;
+  std::vector<std::size_t> curved_guards_;  ///< contacts with guards along a turning normal
   std::optional<std::size_t> only_contact_; ///< that is not linear; with its root at the start
   bool begins_contact_ = false;             ///< its penetration was zero at the start of the phase
   double phase_start_ = 0;

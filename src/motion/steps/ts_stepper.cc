@@ -214,9 +214,13 @@ void TsStepper::attempt(double end) {
 // start with the length that was accepted.
 void TsStepper::take(double end) {
   const QuietErrors quiet;
+  constexpr int most_attempts = 20; // each is shorter by a good part
   long rejected = rejected_steps();
   attempt(end);
-  while (rejected_steps() > rejected) {
+  for (int i = 1; rejected_steps() > rejected; ++i) {
+    if (i == most_attempts)
+      throw NumericalError("time integration stopped at t = " + std::to_string(start_.time) +
+                           " s: no step is short enough for the tolerance");
     rejected = rejected_steps();
     const double accepted = end_.time;
     roll_back();

@@ -154,8 +154,9 @@ Vector KeyTangent::circular_force(const Equations &equations, std::size_t contac
   const ContactPair &pair = contacts_.pairs()[contact];
   const CircularFrame frame = equations.frame(contact, time, seen(state));
   const AcrossAxis force = pair.circle->force(frame, own);
-  const double turned = pair.circle->sense() / frame.distance *
-                        along(frame.tangent, moved(contact, time, state).position);
+  const double moved_along = along(frame.tangent, moved(contact, time, state).position);
+  const double turned =
+      frame.distance > 0 ? pair.circle->sense() / frame.distance * moved_along : 0;
   const double friction = own.tangential[0].force;
   Vector change = Vector::Zero(model_.size());
   for (int d = 0; d < 2; ++d) {
