@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vibroimpact::periodic {
@@ -22,6 +23,7 @@ constexpr double energy_step = 1e-5;
 constexpr double lost_share = 1e-6; // of the energy: beyond what rounding and steps leave
 // Of xi T: what the last, linear correction leaves is its square.
 constexpr double near_excitation = 1e-8;
+constexpr double stalled_excitation = 1e-6; // where grazing contacts let it become no smaller
 constexpr int most_excitations = 30;
 constexpr double largest_excitation = 1; // change of xi T in one step
 
@@ -49,13 +51,44 @@ MechanicalEnergy mechanical_energy(const StroboscopicMap &map, const Vector &sta
   return energy;
 }
 
-EnergyOrbits::EnergyOrbits(MapAlongKeys &maps, std::shared_ptr<FreePeriod> period, long halves,
+EnergyMemory::EnergyMemory(std::shared_ptr<FreePeriod> period, const Vector &sizes)
+    : period_(std::move(period)) {
+  period_->set_key_sizes(sizes);
+  excitation_.set_key_sizes(sizes);
+}
+
+void EnergyMemory::note(const Vector &motion) {
+  period_->note(motion);
+  excitation_.note(motion);
+}
+
+void EnergyMemory::recall(const Vector &motion) {
+  period_->recall(motion);
+  excitation_.recall(motion);
+}
+
+std::vector<double> EnergyMemory::numbers() const {
+  const std::vector<double> periods = period_->numbers(), excitations = excitation_.numbers();
+  std::vector<double> list{static_cast<double>(periods.size())};
+  list.insert(list.end(), periods.begin(), periods.end());
+  list.insert(list.end(), excitations.begin(), excitations.end());
+  return list;
+}
+
+void EnergyMemory::restore(const std::vector<double> &numbers) {
+  const auto first = numbers.begin() + 1;
+  const auto second = first + static_cast<std::ptrdiff_t>(numbers.front());
+  period_->restore({first, second});
+  excitation_.restore({second, numbers.end()});
+}
+
+EnergyOrbits::EnergyOrbits(MapAlongKeys &maps, std::shared_ptr<EnergyMemory> memory, long halves,
                            Rule rule)
-    : maps_(maps), period_(std::move(period)), orbits_(maps, halves, rule.sizes),
+    : maps_(maps), memory_(std::move(memory)), orbits_(maps, halves, rule.sizes),
       rule_(std::move(rule)) {}
 
 MechanicalEnergy EnergyOrbits::energy(const Vector &state) {
-  return mechanical_energy(maps_.at(Vector::Constant(1, excitation_)), state,
+  return mechanical_energy(maps_.at(Vector::Constant(1, memory_->excitation())), state,
                            rule_.sizes.head(state.size()));
 }
 
@@ -78,16 +111,21 @@ EnergyOrbits::Correction EnergyOrbits::missing(const Evaluation &at, const Point
 
 Evaluation EnergyOrbits::at_returned_energy(const Point &point, const MechanicalEnergy &begin,
                                             const Evaluate &evaluate, Correction &last) {
+  double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_excitations; ++i) {
-    Evaluation at = evaluate({point.state, Vector::Constant(1, excitation_), point.chart});
+    Evaluation at =
+        evaluate({point.state, Vector::Constant(1, memory_->excitation()), point.chart});
     if (rule_.losses == Losses::none) {
       refuse_losses(at, point, begin);
       return at;
     }
     last = missing(at, point, begin);
-    const double share = std::abs(last.change) * period_->period();
-    excitation_ += last.change / std::max(1.0, share / largest_excitation);
-    if (share > near_excitation)
+    const double share = std::abs(last.change) * memory_->period();
+    memory_->set_excitation(memory_->excitation() +
+                            last.change / std::max(1.0, share / largest_excitation));
+    const bool stalls = share <= stalled_excitation && share >= before / 2;
+    before = share;
+    if (share > near_excitation && !stalls)
       continue;
     at.residual += at.by_keys.col(0) * last.change;
     at.by_state += at.by_keys.col(0) * last.by_state;
@@ -101,7 +139,7 @@ void EnergyOrbits::refuse_losses(const Evaluation &at, const Point &point,
   const double end = energy(point.state + at.residual).value;
   if (std::abs(end - begin.value) > lost_share * std::abs(begin.value - rule_.rest))
     throw NumericalError(
-        "the motion loses energy in its contacts, which only a self-excitation makes good");
+        "the motion loses energy in its contacts, which Damping = balanced would make good");
 }
 
 void EnergyOrbits::add_energy(Evaluation &at, const Point &point,
@@ -118,13 +156,13 @@ void EnergyOrbits::add_energy(Evaluation &at, const Point &point,
 }
 
 Evaluation EnergyOrbits::evaluate(const Point &point) {
-  period_->recall(unknowns(point));
+  memory_->recall(unknowns(point));
   const MechanicalEnergy begin = energy(point.state);
   Correction correction;
   Evaluation at = at_returned_energy(
       point, begin, [&](const Point &excited) { return orbits_.evaluate(excited); }, correction);
   add_energy(at, point, begin);
-  period_->note(unknowns(point));
+  memory_->note(unknowns(point));
   at_ = point;
   return at;
 }
@@ -135,19 +173,19 @@ void EnergyOrbits::take(const Point &point) {
   if (!at_ || at_->chart != point.chart || !same(at_->state, point.state) ||
       !same(at_->keys, point.keys))
     evaluate(point);
-  period_->recall(unknowns(point));
+  memory_->recall(unknowns(point));
 }
 
 Point EnergyOrbits::excited(const Point &point) {
   take(point);
-  return {point.state, Vector::Constant(1, excitation_), point.chart};
+  return {point.state, Vector::Constant(1, memory_->excitation()), point.chart};
 }
 
 double EnergyOrbits::self_excitation(const Point &point) { return excited(point).keys[0]; }
 
 double EnergyOrbits::period(const Point &point) {
   orbit(point);
-  return period_->period();
+  return memory_->period();
 }
 
 const StroboscopicMap &EnergyOrbits::map(const Point &point) {
@@ -160,7 +198,7 @@ Orbit EnergyOrbits::orbit(const Point &point) {
   const Section section{.phase = point.chart, .halves = orbits_.halves()};
   Orbit orbit{.section = section, .point = {.state = point.state, .image = {}}};
   orbit.point.image = map.image(section, point.state);
-  period_->note(unknowns(point)); // at the corrected self-excitation
+  memory_->note(unknowns(point)); // at the corrected self-excitation
   orbit.point.image.by_state = at.by_state + Matrix::Identity(map.size(), map.size());
   orbit.point.residual = map.norm(at.residual) / map.norm(point.state);
   return orbit;
@@ -171,9 +209,7 @@ std::vector<ShorterReturn> EnergyOrbits::shorter_returns(const Point &point) {
 }
 
 std::unique_ptr<continuation::Problem> EnergyOrbits::doubled() {
-  auto problem = std::make_unique<EnergyOrbits>(maps_, period_, 2 * orbits_.halves(), rule_);
-  problem->excitation_ = excitation_;
-  return problem;
+  return std::make_unique<EnergyOrbits>(maps_, memory_, 2 * orbits_.halves(), rule_);
 }
 
 double EnergyOrbits::best_chart(const Point &point) { return orbits_.best_chart(excited(point)); }
@@ -184,7 +220,7 @@ Transfer EnergyOrbits::transfer(const Point &point, double chart) {
   moved.point.keys = point.keys;
   if (rule_.losses == Losses::balanced)
     moved.point.keys[0] = energy(moved.point.state).value - rule_.rest;
-  period_->note(unknowns(moved.point));
+  memory_->note(unknowns(moved.point));
   return moved;
 }
 
@@ -193,7 +229,7 @@ std::vector<Graze> EnergyOrbits::grazes_near(const Point &point) {
 }
 
 Extension EnergyOrbits::extend(const Point &point, const Graze &graze) {
-  period_->recall(unknowns(point));
+  memory_->recall(unknowns(point));
   const MechanicalEnergy begin = energy(point.state);
   Correction correction;
   Extension extension;
@@ -214,17 +250,11 @@ Extension EnergyOrbits::extend(const Point &point, const Graze &graze) {
   return extension;
 }
 
-std::vector<double> EnergyOrbits::remembered() const {
-  std::vector<double> numbers = period_->numbers();
-  numbers.insert(numbers.begin(), excitation_);
-  return numbers;
-}
+std::vector<double> EnergyOrbits::remembered() const { return memory_->numbers(); }
 
 void EnergyOrbits::remember(const std::vector<double> &numbers) {
-  if (numbers.empty())
-    return;
-  excitation_ = numbers.front();
-  period_->restore({numbers.begin() + 1, numbers.end()});
+  if (!numbers.empty())
+    memory_->restore(numbers);
   at_.reset();
 }
 

@@ -46,6 +46,28 @@ enum class Losses {
   balanced ///< by self-excitation
 };
 
+/// What is known of the last motions, by their states and energies: where those begin that are
+/// near.
+class EnergyMemory {
+public:
+  /// `sizes` as of EnergyOrbits::Rule; about the first motion.
+  EnergyMemory(std::shared_ptr<FreePeriod> period, const Vector &sizes);
+
+  double period() const { return period_->period(); }
+  double excitation() const { return excitation_.period(); } ///< [1/s]
+  void set_excitation(double rate) { excitation_.set_period(rate); }
+  /// The present ones are those of this motion.
+  void note(const Vector &motion);
+  /// Takes those of the nearest one.
+  void recall(const Vector &motion);
+  std::vector<double> numbers() const;
+  void restore(const std::vector<double> &numbers);
+
+private:
+  std::shared_ptr<FreePeriod> period_;
+  FreePeriod excitation_{0}; ///< the same of another number
+};
+
 /// The key is the energy above that at rest.
 class EnergyOrbits : public continuation::Problem {
 public:
@@ -55,9 +77,8 @@ public:
     Vector sizes{};  ///< what counts as one of each entry of the state and of the energy, n + 1
   };
   /// Keeps a reference. The key of the maps is the self-excitation [1/s]; without losses they are
-  /// asked for zero only, and need no derivative by it. They must leave the period alone, which
-  /// measures its keys by the sizes.
-  EnergyOrbits(MapAlongKeys &maps, std::shared_ptr<FreePeriod> period, long halves, Rule rule);
+  /// asked for zero only, and need no derivative by it. They must leave the period alone.
+  EnergyOrbits(MapAlongKeys &maps, std::shared_ptr<EnergyMemory> memory, long halves, Rule rule);
 
   /// That of a motion [1/s].
   double self_excitation(const continuation::Point &point);
@@ -107,10 +128,9 @@ private:
   Vector unknowns(const continuation::Point &point) const;
 
   MapAlongKeys &maps_;
-  std::shared_ptr<FreePeriod> period_;
+  std::shared_ptr<EnergyMemory> memory_;
   OrbitProblem orbits_;
   Rule rule_;
-  double excitation_ = 0;                 ///< xi of the last motion
   std::optional<continuation::Point> at_; ///< the last motion
 };
 

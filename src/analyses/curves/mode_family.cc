@@ -31,7 +31,7 @@ ModeFamily::ModeFamily(const System &system, const ModeStart &start, Losses loss
       recorders_(std::move(recorders)), rule_{.losses = losses,
                                               .sizes = sizes(start.last_energy - start.energy)} {
   rule_.rest = periodic::mechanical_energy(map(), whole(mode_.rest), rule_.sizes).value;
-  period_->set_key_sizes(rule_.sizes);
+  memory_ = std::make_shared<periodic::EnergyMemory>(period_, rule_.sizes);
   start_ = {.state = whole(mode_.rest + mode_.motion), .keys = Vector::Constant(1, start.energy)};
   find_period();
   halves_ = is_symmetric() ? 1 : 2;
@@ -55,7 +55,7 @@ Vector ModeFamily::sizes(double energies) {
 }
 
 std::shared_ptr<EnergyOrbits> ModeFamily::problem(long halves) {
-  return std::make_shared<EnergyOrbits>(maps_, period_, halves, rule_);
+  return std::make_shared<EnergyOrbits>(maps_, memory_, halves, rule_);
 }
 
 // Contacts that touch at rest make the period another one than that of the mode, and losses bring

@@ -41,6 +41,7 @@ private:
   SelfExcitedMap maps_;
   std::vector<RecorderFactory> recorders_;
   periodic::EnergyOrbits::Rule rule_;
+  std::shared_ptr<periodic::EnergyMemory> memory_; ///< that all share
   continuation::Point start_;
   long halves_ = 2;
   std::map<long, std::shared_ptr<periodic::EnergyOrbits>> recorded_; ///< by their half periods
