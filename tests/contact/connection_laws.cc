@@ -6,6 +6,7 @@
 #include "model/connection.h"
 #include "motion/event/impact_log.h"
 #include "motion/path/trajectory.h"
+#include "motion/system/equilibrium.h"
 #include "support/law_checks.h"
 #include "support/lumped_models.h"
 
@@ -106,6 +107,26 @@ TEST(ConnectionLawsTest, PeriodWithFreePlay) {
     EXPECT_NEAR(out.place, 0, accuracy) << method;
     EXPECT_NEAR(out.speed, speed, 10 * accuracy) << method;
     EXPECT_LT(out.accuracy.energy_residual, method == "exact" ? 1e-12 : 1e-8);
+  }
+}
+
+// Whichever way the load points.
+TEST(ConnectionLawsTest, AtRestTheTensionsBalanceTheLoad) {
+  const auto play =
+      std::make_shared<TableSpring>(ForceCurve({-0.3, -0.1, 0.1, 0.3}, {-4, 0, 0, 8}));
+  const Model model = oscillator(30);
+  for (const double place : {0.25, -0.25, 0.05, -0.05}) {
+    // The elongation is that of a connection to the ground, -x.
+    const double cubic = 2 * place + 5 * place * place * place;
+    const double slack = std::abs(place) < 0.1 ? 0
+                         : place > 0           ? 20 * (place - 0.1)
+                                               : 40 * (place + 0.1);
+    for (const auto &[law, force] : {std::pair{formula("2*x + 5*x^3"), cubic},
+                                     {std::shared_ptr<const ContactLaw>(play), slack}}) {
+      const ContactSet contacts({testing::contact_along_x(model, "block.head", "", 0, law)});
+      const Vector load = Vector::Constant(1, 30 * place + force);
+      EXPECT_NEAR(static_equilibrium(model, contacts, load).displacement[0], place, 1e-14) << place;
+    }
   }
 }
 

@@ -97,7 +97,7 @@ private:
   void add_contact(std::size_t c, const Vector &q, Vector &force, Matrix &derivative) {
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
     LocalState state = local(c, q);
-    if (state.gap >= 0)
+    if (state.gap >= 0 && !pair.law->always_in_contact())
       return;
     const contact::SettledMode settled = contact::settle(*pair.law, state);
     state.internal = settled.internal;
