@@ -51,6 +51,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
             "of the parameter file.");
   reduction::declare_body(*root);
   model::declare_connections(*root);
+  model::declare_spins(*root);
   contact::declare_contacts(*root);
   model::declare_excitations(*root);
   model::declare_initial_conditions(*root);
