@@ -120,7 +120,8 @@ void Campbell::declare(parameters::Section &analysis) {
       .required()
       .integer("Points", "101", Range{.lower = 2, .upper = 1e5}, "", "Number of speeds.")
       .integer("Modes", "8", Range{.lower = 1, .upper = 1e4}, "",
-               "The lowest ones at the first speed, which are followed.")
+               "The lowest ones at the first speed, which are followed; with all of the last "
+               "frequency.")
       .quantities("Multiples", "1", dimension::none, range::positive, "n",
                   "Critical speeds are those where a frequency is n times the speed: 1 for an "
                   "unbalance.",

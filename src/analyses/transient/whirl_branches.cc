@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace vibroimpact::analyses {
 
@@ -13,18 +15,43 @@ namespace {
 constexpr double alike = 0.45;
 constexpr int most_divisions = 10;
 
+bool same_frequency(const WhirlState &a, const WhirlState &b) {
+  constexpr double rounding = 1e-6;
+  return std::abs(a.eigenvalue.imag() - b.eigenvalue.imag()) <= rounding * a.eigenvalue.imag();
+}
+
 } // namespace
 
 WhirlBranches::WhirlBranches(const model::WhirlingSystem &system, std::vector<double> speeds,
                              std::size_t modes)
     : system_(system), speeds_(std::move(speeds)) {
   const std::vector<WhirlState> first = vibrations(speeds_.front());
-  WhirlStates states;
-  for (std::size_t j = 0; j < std::min(modes, first.size()); ++j)
-    states.emplace_back(first[j]);
+  std::size_t count = std::min(modes, first.size());
+  while (count > 0 && count < first.size() && same_frequency(first[count - 1], first[count]))
+    ++count;
+  WhirlStates states(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(count));
   states_.push_back(states);
   for (std::size_t k = 1; k < speeds_.size(); ++k)
     states_.push_back(follow(speeds_[k - 1], states_.back(), speeds_[k], most_divisions));
+  sort_modes();
+}
+
+// By the frequencies at the second speed: at the first one those of a pair may be the same.
+void WhirlBranches::sort_modes() {
+  const auto frequency = [&](std::size_t mode) {
+    const auto &state = states_[1][mode];
+    return state ? state->eigenvalue.imag() : std::numeric_limits<double>::infinity();
+  };
+  std::vector<std::size_t> order(modes());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return frequency(a) < frequency(b); });
+  for (WhirlStates &states : states_) {
+    WhirlStates sorted;
+    for (const std::size_t mode : order)
+      sorted.push_back(states[mode]);
+    states = std::move(sorted);
+  }
 }
 
 std::vector<WhirlState> WhirlBranches::vibrations(double speed) const {

@@ -27,8 +27,9 @@ struct CriticalSpeed {
 
 class WhirlBranches {
 public:
-  /// The lowest `modes` vibrations at the first of the speeds [rad/s], which rise, followed through
-  /// all. NumericalError where eigenvalues do not converge.
+  /// The lowest `modes` vibrations at the first of the speeds [rad/s], two or more that rise,
+  /// followed through all; with all of the last frequency. By their frequencies at the second
+  /// speed. NumericalError where eigenvalues do not converge.
   WhirlBranches(const model::WhirlingSystem &system, std::vector<double> speeds, std::size_t modes);
 
   const std::vector<double> &speeds() const { return speeds_; }
@@ -40,6 +41,7 @@ public:
   std::vector<CriticalSpeed> critical(double multiple) const;
 
 private:
+  void sort_modes();
   std::vector<WhirlState> vibrations(double speed) const;
   double resemblance(const WhirlState &a, const WhirlState &b) const;
   WhirlStates follow(double from, const WhirlStates &states, double to, int divisions) const;
