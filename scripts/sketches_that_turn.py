@@ -86,4 +86,22 @@ def random_stop():
     return sketch
 
 
-SKETCHES = {"random-stop": random_stop, "gear-rattle": gear_rattle, "spinning-disc": spinning_disc}
+def overhung_rotor():
+    sketch = Sketch("A shaft in two bearings with a disc behind the second one, which turns with an unbalance in a ring with clearance")
+    for place in (80, 330):
+        sketch.spring((place, 190), (place, 130), "k")
+        sketch.ground((place - 25, 190), (place + 25, 190))
+    sketch.line((60, 125), (500, 125), width=5)
+    sketch.mass((505, 125), 26, 130, "m")
+    sketch.circle((505, 72), 4, fill=MOTION, colour=MOTION)
+    sketch.symbol((530, 66), "U", colour=MOTION, anchor="start")
+    sketch.arrow((200, 100), (260, 100))
+    sketch.symbol((230, 88), "Ω", colour=MOTION)
+    for side, offset in ((45, 1), (205, -1)):
+        sketch.line((480, side), (530, side), colour=CONTACT, width=3)
+        sketch.ground((480, side - 6 * offset), (530, side - 6 * offset))
+    sketch.clearance((550, 45), (550, 60), "c", offset=26, side=1)
+    return sketch
+
+
+SKETCHES = {"random-stop": random_stop, "gear-rattle": gear_rattle, "spinning-disc": spinning_disc, "overhung-rotor": overhung_rotor}

@@ -53,6 +53,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
   reduction::declare_body(*root);
   model::declare_connections(*root);
   contact::declare_connection_laws(*root);
+  model::declare_spins(*root);
   contact::declare_contacts(*root);
   model::declare_excitations(*root);
   model::declare_initial_conditions(*root);

@@ -21,6 +21,7 @@
 #include "analyses/sweeps/frequency_response.h"
 #include "analyses/sweeps/steady_state.h"
 #include "analyses/sweeps/stepped_sweep.h"
+#include "analyses/transient/campbell.h"
 #include "analyses/transient/modal.h"
 #include "analyses/transient/transient.h"
 
@@ -43,6 +44,7 @@ bool always(const parameters::Values & /*analysis*/) { return true; }
 
 constexpr Entry known_analyses[] = {
     {"modal", Modal::declare, Modal::create},
+    {"campbell", Campbell::declare, Campbell::create},
     {"transient", Transient::declare, Transient::create, true},
     {"stepped sweep", SteppedSweep::declare, SteppedSweep::create, true},
     {"frequency response", FrequencyResponse::declare, FrequencyResponse::create},

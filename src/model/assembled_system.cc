@@ -32,6 +32,16 @@ Matrix unit_rows(Matrix rows) {
 
 Matrix symmetric(const Matrix &a) { return (a + a.transpose()) / 2; }
 
+// Both parts by themselves, so that what is symmetric or skew stays so to the last digit.
+Matrix projected(const Matrix &damping, const Matrix &shapes) {
+  Matrix result = symmetric(shapes.transpose() * symmetric(damping) * shapes);
+  const Matrix gyroscopic = damping - damping.transpose();
+  if (gyroscopic.isZero(0))
+    return result;
+  const Matrix skew = shapes.transpose() * gyroscopic * shapes / 2;
+  return result + (skew - skew.transpose()) / 2;
+}
+
 // Twice the strain energy, and what it would be if nothing in the sum cancelled: a motion without
 // strain keeps some units of rounding of that.
 double strain(const Matrix &stiffness, const Vector &shape) {
@@ -102,7 +112,7 @@ AssembledModes assembled_modes(const Model &model, const AssembledSystem &system
   for (Index j = 0; j < modes.stiffness.size(); ++j)
     modes.stiffness[j] = strain(stiffness, modes.shapes.col(j));
   modes.rigid = (modes.stiffness.array() == 0).count();
-  modes.damping = symmetric(modes.shapes.transpose() * model.damping().dense() * modes.shapes);
+  modes.damping = projected(model.damping().dense(), modes.shapes);
   modes.modal_damping = is_modal(modes.damping);
   return modes;
 }

@@ -38,9 +38,9 @@ private:
 struct AssembledModes {
   Matrix shapes;    ///< n x m, coordinates per unit of each mode
   Vector stiffness; ///< m, squared angular frequencies [1/s^2]; 0 of rigid modes
-  Matrix damping;   ///< m x m, shapes^T C shapes [1/s]
+  Matrix damping;   ///< m x m, shapes^T C shapes with gyroscopic terms [1/s]
   Index rigid = 0;  ///< the first of them, which store no energy
-  /// No damping force between modes: the shapes are those of the damped motions too.
+  /// No damping or gyroscopic force between modes: the shapes are those of the damped motions too.
   bool modal_damping = true;
 
   Vector angular_frequency() const { return stiffness.array().max(0.0).sqrt(); } ///< [rad/s]

@@ -4,8 +4,10 @@
 #include "model/histories.h"
 #include "model/piecewise_function.h"
 #include "model/recorded_history.h"
+#include "model/spin.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vibroimpact::model {
 
@@ -16,6 +18,8 @@ parameters::Dimension amplitude_dimension(const std::string &type) {
     return parameters::dimension::force;
   if (type == "torque")
     return parameters::dimension::torque;
+  if (type == "unbalance")
+    return {.length = 1, .mass = 1};
   if (type == "base displacement")
     return parameters::dimension::length;
   return type == "base velocity" ? parameters::dimension::velocity
@@ -81,6 +85,28 @@ PointReference read_point(const parameters::Values &excitation, const Model &mod
   return point;
 }
 
+// The history is that of the spin.
+void refuse_history(const parameters::Values &excitation) {
+  for (const char *key : {"History", "Frequency"})
+    if (excitation.given(key))
+      excitation.reject(key, std::string(key) + " must not be set when Type = unbalance, which "
+                                                "turns with its Spin");
+}
+
+void add_unbalance(const parameters::Values &root, const parameters::Values &excitation,
+                   const std::string &name, const Vector3 &direction, Model &model) {
+  refuse_history(excitation);
+  const PointReference at = read_point(excitation, model);
+  const Spin spin = read_spin(root, excitation, "Spin", model);
+  if (std::find(spin.bodies.begin(), spin.bodies.end(), at.body) == spin.bodies.end())
+    excitation.reject("At", "must be a point of a body that turns with Spin " + spin.name);
+  if (std::abs(direction.dot(model.bodies()[at.body]->spin.axis)) > 1e-12)
+    excitation.reject("Direction", "must be across the Spin axis of the body");
+  excitation.require("Amplitude");
+  model.add_unbalance(name, excitation.quantity_of("Amplitude", amplitude_dimension("unbalance")),
+                      spin.speed, at, direction, excitation.quantity("Phase"));
+}
+
 } // namespace
 
 void declare_excitations(parameters::Section &root) {
@@ -92,21 +118,28 @@ void declare_excitations(parameters::Section &root) {
       "Excitation",
       "A force or torque at a point, a motion of the base, or gravity; all that act add up.");
   excitation
-      .choice(
-          "Type", "base acceleration",
-          {"force", "torque", "base displacement", "base velocity", "base acceleration", "gravity"},
-          "The given quantity. Its amplitude stays constant when the frequency is swept.")
-      .text("At", "", "Point the force or torque acts on, as BODY.POINT.")
-      .required("Type = force or torque")
+      .choice("Type", "base acceleration",
+              {"force", "torque", "base displacement", "base velocity", "base acceleration",
+               "gravity", "unbalance"},
+              "The given quantity. Its amplitude stays constant when the frequency is swept. "
+              "unbalance: "
+              "a mass beside the axis of a body that turns; its force grows with the square of the "
+              "speed.")
+      .text("At", "",
+            "Point the force or torque acts on, or where the unbalance is, as BODY.POINT.")
+      .required("Type = force, torque or unbalance")
       .names("Bodies", "", "Bodies that stand on the moving base or have weight; empty means all.")
       .text("Direction", "x",
             "Direction of the force, motion or gravity, or the axis about which a torque acts: x, "
-            "-y or "
-            "three numbers.")
-      .quantity(
-          "Amplitude", "", dimension::any, range::any, "A",
-          "Amplitude, peak or constant value, in the unit of the type: N, N m, m, m/s or m/s^2.")
-      .required("Type = gravity or History = harmonic, ramped harmonic, sine sweep or constant")
+            "-y or three numbers. Of an unbalance: where it is at time zero without Phase.")
+      .text("Spin", "", "Section Spin with which the unbalance turns.")
+      .required("Type = unbalance")
+      .quantity("Amplitude", "", dimension::any, range::any, "A",
+                "Amplitude, peak or constant value, in the unit of the type: N, N m, m, m/s or "
+                "m/s^2; of an "
+                "unbalance mass times distance, kg m.")
+      .required("Type = gravity or unbalance, or History = harmonic, ramped harmonic, sine sweep "
+                "or constant")
       .quantity("Frequency", "", dimension::frequency, range::positive, "f",
                 "Frequency in Hz or rad/s; a sweep replaces it.")
       .required("History = harmonic or ramped harmonic")
@@ -122,6 +155,12 @@ void add_excitations(const parameters::Values &root, const std::vector<std::stri
     const std::string type = excitation.choice("Type");
     if (type == "gravity") {
       model.add_gravity(name, read_gravity(excitation), read_bodies(excitation, model), direction);
+      continue;
+    }
+    if (excitation.given("Spin") && type != "unbalance")
+      excitation.reject("Spin", "must not be set when Type = " + type);
+    if (type == "unbalance") {
+      add_unbalance(root, excitation, name, direction, model);
       continue;
     }
     auto function = create_history(excitation, read_context(root, name, excitation));

@@ -1,8 +1,13 @@
 #include "model/model.h"
 
+#include "model/piecewise_function.h"
+#include "model/turning_component.h"
+
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
+#include <tuple>
 
 namespace vibroimpact::model {
 
@@ -16,8 +21,12 @@ void LinearForm::apply_to_many(ConstVectorView x, Vector &y) const {
 
 void LinearForm::add(double factor, const RowVector &row) {
   const RowVector scaled = factor * row;
-  diagonal += scaled.cwiseProduct(row).transpose();
-  Matrix off_diagonal = row.transpose() * scaled;
+  add(Matrix(row.transpose() * scaled));
+}
+
+void LinearForm::add(const Matrix &matrix) {
+  diagonal += matrix.diagonal();
+  Matrix off_diagonal = matrix;
   off_diagonal.diagonal().setZero();
   if (off_diagonal.isZero(0))
     return;
@@ -127,9 +136,14 @@ void Model::add_gravity(const std::string &name, std::shared_ptr<const TimeFunct
 
 void Model::add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
                       const PointReference &at, const MotionAxis &axis) {
+  add_load(name, std::move(function), displacement(at, axis, false).row.transpose());
+}
+
+void Model::add_load(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                     const Vector &load) {
   sources_.push_back({.name = name,
                       .function = std::move(function),
-                      .load = displacement(at, axis, false).row.transpose(),
+                      .load = load,
                       .rate_load = Vector::Zero(size()),
                       .inertial_load = Vector::Zero(size())});
   carried_.emplace_back(bodies_.size(), Vector3::Zero());
@@ -162,6 +176,69 @@ void Model::add_rotor(Rotor rotor, const PointReference &at, const Vector3 &firs
     rotor.field_second.push_back(field_[k][at.body].dot(second));
   }
   rotors_.add(std::move(rotor));
+}
+
+void Model::add_unbalance(const std::string &name, double unbalance, const SpinSpeed &speed,
+                          const PointReference &at, const Vector3 &first, double phase) {
+  const Vector3 second = bodies_.at(at.body)->spin.axis.cross(first);
+  constexpr double quarter = std::numbers::pi / 2; // sin x = cos(x - pi/2)
+  for (const auto &[suffix, along, lag] :
+       {std::tuple{"", first, 0.0}, std::tuple{" across", second, quarter}}) {
+    sources_.push_back(
+        {.name = name + suffix,
+         .function = std::make_shared<TurningComponent>(speed, phase - lag),
+         .load = Vector::Zero(size()),
+         .rate_load = Vector::Zero(size()),
+         .inertial_load = -unbalance * displacement(at, along, false).row.transpose()});
+    carried_.emplace_back(bodies_.size(), Vector3::Zero());
+    field_.emplace_back(bodies_.size(), Vector3::Zero());
+  }
+  list_drives();
+}
+
+Matrix Model::gyroscopic(std::size_t spin) const {
+  Matrix matrix = Matrix::Zero(size(), size());
+  for (const std::size_t b : spins_[spin].bodies)
+    matrix.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
+        bodies_[b]->spin.gyroscopic;
+  return matrix;
+}
+
+Matrix Model::centrifugal(std::size_t spin) const {
+  Matrix matrix = Matrix::Zero(size(), size());
+  for (const std::size_t b : spins_[spin].bodies)
+    if (bodies_[b]->spin.rotating_frame)
+      matrix.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
+          bodies_[b]->spin.centrifugal;
+  return matrix;
+}
+
+void Model::add_spin(const Spin &spin) {
+  spins_.push_back(spin);
+  const Matrix matrix = gyroscopic(spins_.size() - 1);
+  if (!spin.speed.constant()) {
+    run_ups_.push_back({.speed = spin.speed, .gyroscopic = matrix});
+    return;
+  }
+  const double speed = spin.speed.at(0);
+  damping_.add(speed * matrix);
+  stiffness_.add(speed * speed * centrifugal(spins_.size() - 1));
+  Vector load = Vector::Zero(size());
+  for (const std::size_t b : spin.bodies)
+    if (bodies_[b]->spin.rotating_frame)
+      load.segment(offsets_[b], bodies_[b]->size()) = bodies_[b]->spin.centrifugal_load;
+  if (!load.isZero(0))
+    add_load(spin.name, make_constant(Given::displacement, speed * speed), load);
+}
+
+void Model::add_run_up_forces(double time, ConstVectorView velocity, VectorView f) const {
+  for (const RunUp &run_up : run_ups_)
+    f -= run_up.speed.at(time) * (run_up.gyroscopic * velocity);
+}
+
+void Model::add_run_up_damping(double time, Matrix &damping) const {
+  for (const RunUp &run_up : run_ups_)
+    damping += run_up.speed.at(time) * run_up.gyroscopic;
 }
 
 void Model::rotor_frame(double time, Vector &frame) const {
@@ -345,6 +422,8 @@ Vector3 Model::base_velocity(std::size_t body, double time) const {
 double Model::highest_frequency() const {
   double highest = (stiffness_.diagonal.array() / mass_.array()).max(0.0).sqrt().maxCoeff();
   highest = std::max(highest, rotors_.highest_frequency());
+  for (const Spin &spin : spins_)
+    highest = std::max(highest, spin.speed.highest());
   for (const Source &source : sources_)
     highest = std::max(highest, source.function->highest_frequency());
   return highest;
@@ -354,6 +433,8 @@ double Model::next_break(double time) const {
   double next = std::numeric_limits<double>::infinity();
   for (const Source &source : sources_)
     next = std::min(next, source.function->next_break(time));
+  for (const RunUp &run_up : run_ups_)
+    next = std::min(next, run_up.speed.next_break(time));
   return next;
 }
 

@@ -5,13 +5,16 @@
 //
 // Coordinates of a body count relative to the base it stands on; a moving base enters through the
 // inertial load and carries its points along. Connections add to K and C, and where one end moves
-// with a base to the loads. Motors of rotors bring first-order states of their own, `drive`.
+// with a base to the loads. Motors of rotors bring first-order states of their own, `drive`. Bodies
+// that turn at a constant speed add gyroscopic terms to C, which is then not symmetric; along a
+// ramp of the speed these are forces that change in time.
 #pragma once
 
 #include "common/linear_algebra.h"
 #include "model/motion_axis.h"
 #include "model/projection.h"
 #include "model/rotor.h"
+#include "model/spin.h"
 #include "model/time_function.h"
 #include "reduction/reduced_body.h"
 
@@ -22,7 +25,7 @@
 
 namespace vibroimpact::model {
 
-/// A symmetric matrix, diagonal where the bodies are modal and uncoupled.
+/// A matrix, diagonal where the bodies are modal and uncoupled.
 struct LinearForm {
   Vector diagonal;
   Matrix coupling; ///< off-diagonal part; 0 x 0 when there is none
@@ -46,6 +49,7 @@ struct LinearForm {
   }
   /// A += factor row^T row
   void add(double factor, const RowVector &row);
+  void add(const Matrix &matrix);
   Matrix dense() const;
 
 private:
@@ -99,8 +103,17 @@ public:
   void add_force(const std::string &name, std::shared_ptr<const TimeFunction> function,
                  const PointReference &at, const MotionAxis &axis);
 
+  /// The unbalance [kg m] at a point of a body with a Spin axis turns with its spin: from `phase`
+  /// [rad] at time zero, counted from `first`, a unit vector across the axis. Two sources, the
+  /// second of them at right angles.
+  void add_unbalance(const std::string &name, double unbalance, const SpinSpeed &speed,
+                     const PointReference &at, const Vector3 &first, double phase);
+
   /// Sources must be complete before connections and rotors are added.
   void add_connection(Connection connection);
+  /// Its bodies have a Spin axis; those in the rotating frame need a constant speed. Before
+  /// connections, for centrifugal forces are a source.
+  void add_spin(const Spin &spin);
   /// Fills the rotor's projections: it turns about `at` in the plane of two unit vectors.
   void add_rotor(Rotor rotor, const PointReference &at, const Vector3 &first,
                  const Vector3 &second);
@@ -120,6 +133,7 @@ public:
   Index offset(std::size_t body) const { return offsets_[body]; }
   const Vector &mass() const { return mass_; }
   const LinearForm &stiffness() const { return stiffness_; }
+  /// Symmetric but for the gyroscopic terms of constant speeds, which do no work.
   const LinearForm &damping() const { return damping_; }
   const std::vector<Source> &sources() const { return sources_; }
   const std::vector<Connection> &connections() const { return connections_; }
@@ -127,7 +141,11 @@ public:
   /// First-order states of the motors [N m].
   Index n_drive() const { return rotors_.n_drive(); }
   /// True when the equations of motion without contacts are linear.
-  bool linear() const { return cubic_.empty() && rotors_.empty(); }
+  bool linear() const { return cubic_.empty() && rotors_.empty() && run_ups_.empty(); }
+  const std::vector<Spin> &spins() const { return spins_; }
+  /// What multiplies the speed of a spin: n x n, skew; and its square: symmetric.
+  Matrix gyroscopic(std::size_t spin) const;
+  Matrix centrifugal(std::size_t spin) const;
 
   /// f(t), n entries.
   void load(double time, Vector &f) const;
@@ -160,6 +178,11 @@ public:
   void add_cubic_stiffness(double time, ConstVectorView q, Matrix &stiffness) const;
   /// Energy stored in them [J].
   double cubic_energy(double time, ConstVectorView q) const;
+
+  /// f -= gyroscopic forces at the speeds of run-ups.
+  void add_run_up_forces(double time, ConstVectorView velocity, VectorView f) const;
+  /// Their derivative: damping += Omega(t) G, n x n.
+  void add_run_up_damping(double time, Matrix &damping) const;
 
   /// Index of a body or of a source by name; size of the list when there is none.
   std::size_t find_body(const std::string &name) const;
@@ -199,6 +222,12 @@ private:
   };
   void list_drives();
   void add_body_damping();
+  void add_load(const std::string &name, std::shared_ptr<const TimeFunction> function,
+                const Vector &load);
+  struct RunUp {
+    SpinSpeed speed;
+    Matrix gyroscopic;
+  };
 
   std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies_;
   std::vector<Index> offsets_;
@@ -210,6 +239,8 @@ private:
   std::vector<Connection> connections_;
   std::vector<std::size_t> cubic_; ///< connections with a cubic part
   RotorSet rotors_;
+  std::vector<Spin> spins_;
+  std::vector<RunUp> run_ups_;                ///< of the spins whose speed changes
   std::vector<std::vector<Vector3>> carried_; ///< per source, per body: base direction or zero
   std::vector<std::vector<Vector3>> field_;   ///< per source, per body: gravity direction or zero
 };

@@ -36,10 +36,18 @@ bool repeats(const model::TimeFunction &function, double period, double shift, d
   return true;
 }
 
+bool runs_up(const model::Model &model) {
+  return std::any_of(model.spins().begin(), model.spins().end(),
+                     [](const model::Spin &spin) { return !spin.speed.constant(); });
+}
+
 void refuse_rotors(const model::Model &model) {
   if (!model.rotors().empty())
     throw InputError("A periodic motion is looked for, but the model has a rotor: its speed is a "
                      "second frequency, so that the motion repeats itself after no period.");
+  if (runs_up(model))
+    throw InputError(
+        "A periodic motion is looked for, but a Spin has a Run-up: its speed changes.");
 }
 
 bool is_constant(const model::TimeFunction &function) {

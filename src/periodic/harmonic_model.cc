@@ -90,6 +90,9 @@ void check_harmonic(const model::Model &model, const contact::ContactSet &contac
   if (!model.rotors().empty())
     throw InputError(refusal + std::string("the model has a rotor: its speed is a second "
                                            "frequency, so that the motion has no period."));
+  for (const model::Spin &spin : model.spins())
+    if (!spin.speed.constant())
+      throw InputError(refusal + ("the Spin " + spin.name) + " has a Run-up: its speed changes.");
   for (const contact::ContactPair &pair : contacts.pairs()) {
     if (pair.law->rigid())
       throw InputError(refusal + ("the contact " + pair.name) + " is rigid (Law = " +

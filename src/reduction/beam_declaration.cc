@@ -48,7 +48,10 @@ void declare_member(Section &body) {
                   "From the nodes to the axis along its local y and z axes: rigid arms.", 2, 2)
       .quantity("Axial force", "0 N", dimension::force, range::any, "N",
                 "That acts along the member before any motion, tension positive: it changes the "
-                "frequencies (geometric stiffness). Compression stays below the buckling load.");
+                "frequencies (geometric stiffness). Compression stays below the buckling load.")
+      .quantity("End axial force", "", dimension::force, range::any, "N_1",
+                "At the end of the member; it changes linearly from Axial force at its start, as "
+                "under weight. Without it: the same along the member.");
 }
 
 void declare_hinge(Section &body) {

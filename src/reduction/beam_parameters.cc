@@ -70,6 +70,8 @@ structure::Member read_member(const Values &section, const std::string &name, co
   const std::vector<double> offset = section.quantities("Offset");
   member.offset = {offset[0], offset[1]};
   member.axial_force = section.quantity("Axial force");
+  if (section.has("End axial force"))
+    member.axial_force.end = section.quantity("End axial force");
   return member;
 }
 
@@ -108,6 +110,7 @@ BeamDefinition read_beam_definition(const Values &body, const std::string &folde
   beam.links = read_links(body);
   beam.interfaces = read_interfaces(body);
   beam.loads = read_loads(body);
+  beam.spin = read_spin_axis(body);
   return beam;
 }
 

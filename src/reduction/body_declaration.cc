@@ -224,6 +224,25 @@ void declare_mass(Section &body) {
                   "Where it stands in figures.", 3, 3);
 }
 
+void declare_spin_axis(Section &body) {
+  body.subsection("Spin axis",
+                  "The axis about which a beam or lumped body turns at the speed that a section "
+                  "Spin gives.")
+      .quantities("Direction", "1, 0, 0", dimension::none, range::any, "a",
+                  "Of the axis, about which a positive speed turns.", 3, 3)
+      .choice("Frame", "fixed", {"fixed", "rotating"},
+              "Of the displacements. fixed: shafts, whose sections and lumped masses are round and "
+              "have gyroscopic moments; rotating: displacements turn with the body, which has "
+              "centrifugal and Coriolis forces.")
+      .quantities("Through", "0 m, 0 m, 0 m", dimension::length, range::any, "",
+                  "A place of the axis, for Frame = rotating.", 3, 3)
+      .names("Members", "",
+             "Members of a beam that turn; empty: all lines. In the fixed frame they lie along the "
+             "axis, and those with mass have Theory = Rayleigh or Timoshenko.")
+      .names("Points", "",
+             "Points of a beam whose lumped mass turns, or masses of a lumped body; empty: all.");
+}
+
 void declare_rotor(Section &body) {
   body.subsection("Rotor", "An unbalanced rotor that turns at a point of another body.")
       .text("At", "", "Point that carries it, as BODY.POINT.")
@@ -290,6 +309,7 @@ void declare_body(Section &root) {
   declare_modal_data(body);
   declare_mass(body);
   declare_rotor(body);
+  declare_spin_axis(body);
 }
 
 } // namespace vibroimpact::reduction

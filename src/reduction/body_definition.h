@@ -76,6 +76,7 @@ struct BodyDefinition {
   Damping damping;
   std::vector<LumpedMass> masses;
   std::vector<LumpedPoint> lumped_points;
+  std::optional<structure::SpinAxis> lumped_spin{}; ///< of a lumped body, without members
   RotorDefinition rotor;
   ModalDefinition modal;
 };

@@ -29,15 +29,19 @@ void members(auto &visit, As<Recovery> auto &recovery) {
   visit(recovery.nodes, recovery.lines, recovery.cells, recovery.shapes,
         recovery.static_displacement, recovery.line_stress, recovery.cell_stress);
 }
+void members(auto &visit, As<SpinMatrices> auto &spin) {
+  visit(spin.axis, spin.rotating_frame, spin.gyroscopic, spin.centrifugal, spin.centrifugal_load,
+        spin.turning, spin.crosswise);
+}
 void members(auto &visit, As<ReducedBody> auto &body) {
   visit(body.name, body.type, body.mass, body.stiffness, body.damping, body.base_participation,
         body.total_mass, body.eigen_residual, body.orthogonality_residual, body.points,
-        body.recovery);
+        body.recovery, body.spin);
 }
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 8\n";
+const std::string title = "vibroimpact reduced body 9\n";
 
 } // namespace
 

@@ -121,7 +121,8 @@ void read_beam(const Values &body, const std::string &folder, MPI_Comm communica
 
 void read_shell(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
-  refuse(body, {"Section", "Rotor", "Motor", "Matrices"}, {"Mass", "Member", "Hinge", "Solid"});
+  refuse(body, {"Section", "Rotor", "Motor", "Matrices", "Spin axis"},
+         {"Mass", "Member", "Hinge", "Solid"});
   refuse_modal_keys(body);
   definition.shell = read_shell_definition(body, folder, communicator);
   definition.shell.plane_normal = read_plane(body);
@@ -130,7 +131,7 @@ void read_shell(const Values &body, const std::string &folder, MPI_Comm communic
 
 void read_solid(const Values &body, const std::string &folder, MPI_Comm communicator,
                 BodyDefinition &definition) {
-  refuse(body, {"Section", "Rotor", "Motor", "Matrices"},
+  refuse(body, {"Section", "Rotor", "Motor", "Matrices", "Spin axis"},
          {"Mass", "Member", "Hinge", "Shell", "Stiffener"});
   refuse_modal_keys(body);
   definition.solid = read_solid_definition(body, folder, communicator);
@@ -140,7 +141,7 @@ void read_solid(const Values &body, const std::string &folder, MPI_Comm communic
 
 void read_matrices(const Values &body, const std::string &folder, MPI_Comm communicator,
                    BodyDefinition &definition) {
-  refuse(body, {"Section", "Material", "Rotor", "Motor"},
+  refuse(body, {"Section", "Material", "Rotor", "Motor", "Spin axis"},
          {"Mass", "Member", "Hinge", "Shell", "Stiffener", "Solid", "Rigid link"});
   refuse_modal_keys(body);
   definition.matrices = read_matrix_definition(body, folder, communicator);
@@ -165,7 +166,7 @@ void refuse_plane(const Values &body) {
 
 void read_rotor(const Values &body, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data", "Matrices"},
+  refuse(body, {"Geometry", "Section", "Material", "Modes", "Modal data", "Matrices", "Spin axis"},
          {"Support", "Point", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell",
           "Stiffener", "Solid", "Load"});
   const Values rotor = body.subsection("Rotor");
@@ -181,11 +182,15 @@ void read_lumped(const Values &body, BodyDefinition &definition) {
          {"Support", "Rigid link", "Interface", "Member", "Hinge", "Shell", "Stiffener", "Solid",
           "Load"});
   read_lumped_masses(body, definition);
+  definition.lumped_spin = read_spin_axis(body);
+  if (definition.lumped_spin && !definition.lumped_spin->members.empty())
+    body.subsection("Spin axis").reject("Members", "must not be set when Type = lumped");
 }
 
 void read_modal(const Values &body, const std::string &folder, BodyDefinition &definition) {
   refuse_plane(body);
-  refuse(body, {"Geometry", "Section", "Material", "Modes", "Matrices", "Rotor", "Motor"},
+  refuse(body,
+         {"Geometry", "Section", "Material", "Modes", "Matrices", "Rotor", "Motor", "Spin axis"},
          {"Support", "Rigid link", "Interface", "Mass", "Member", "Hinge", "Shell", "Stiffener",
           "Solid", "Load"});
   definition.modal = read_modal_definition(body, folder);

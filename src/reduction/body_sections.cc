@@ -160,6 +160,8 @@ structure::SectionShape read_section(const Values &section) {
                                 .torsion_constant = optional_quantity(section, "Torsion constant")};
   if (section.choice("Theory") == "Timoshenko")
     shape.theory = structure::BeamTheory::timoshenko;
+  else if (section.choice("Theory") == "Rayleigh")
+    shape.theory = structure::BeamTheory::rayleigh;
   if (section.has("Shear correction")) {
     const std::vector<double> factors = section.quantities("Shear correction");
     shape.shear_correction = {factors.front(), factors.back()};
@@ -311,6 +313,23 @@ std::vector<structure::Point> read_points(const Values &body) {
   for (const std::string &name : body.instances("Point"))
     points.push_back(read_point(body.instance("Point", name), name));
   return points;
+}
+
+std::optional<structure::SpinAxis> read_spin_axis(const Values &body) {
+  if (!body.subsection_given("Spin axis"))
+    return std::nullopt;
+  const Values section = body.subsection("Spin axis");
+  const Vector3 direction = vector3(section, "Direction");
+  if (!(direction.norm() > 0))
+    section.reject("Direction", "must not be zero");
+  const bool rotating = section.choice("Frame") == "rotating";
+  if (!rotating && section.given("Through"))
+    section.reject("Through", "must not be set when Frame = fixed");
+  return structure::SpinAxis{.direction = direction.normalized(),
+                             .members = section.names("Members"),
+                             .points = section.names("Points"),
+                             .rotating_frame = rotating,
+                             .through = vector3(section, "Through")};
 }
 
 std::vector<structure::RigidLink> read_links(const Values &body) {

@@ -45,6 +45,8 @@ structure::Support read_support(const Values &section, const std::string &name);
 structure::Point read_point(const Values &section, const std::string &name);
 structure::Interface read_interface(const Values &section, const std::string &name);
 structure::Load read_load(const Values &section, const std::string &name);
+/// Nothing where the body has no such section.
+std::optional<structure::SpinAxis> read_spin_axis(const Values &body);
 /// All of a kind, in the order of the file.
 std::vector<structure::Support> read_supports(const Values &body);
 std::vector<structure::Point> read_points(const Values &body);

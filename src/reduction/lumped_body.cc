@@ -1,5 +1,7 @@
 #include "reduction/lumped_body.h"
 
+#include "structure/beam_spin.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,6 +65,85 @@ BodyPoint carried_point(const LumpedPoint &definition, const ReducedBody &body) 
   return point;
 }
 
+bool turns(const structure::SpinAxis &spin, const LumpedMass &mass) {
+  return spin.points.empty() ||
+         std::find(spin.points.begin(), spin.points.end(), mass.name) != spin.points.end();
+}
+
+/// Of a mass that is round about the axis.
+std::array<double, 2> round_inertia(const LumpedMass &mass, const Vector3 &axis) {
+  const double polar = axis.cwiseAbs2().dot(mass.inertia);
+  const double diametral = (mass.inertia.sum() - polar) / 2;
+  const Eigen::Matrix3d round =
+      diametral * Eigen::Matrix3d::Identity() + (polar - diametral) * axis * axis.transpose();
+  if ((round - Eigen::Matrix3d(mass.inertia.asDiagonal())).norm() > 1e-6 * mass.inertia.norm())
+    throw structure::DefinitionError("Mass", mass.name, "Rotary inertia",
+                                     "must be equal about all directions across the Spin axis "
+                                     "about which the mass turns");
+  return {polar, diametral};
+}
+
+/// Adds what whirls of displacements or rotations.
+void add_whirl(const Matrix &rows, double inertia, SpinMatrices &spin) {
+  const Eigen::Matrix3d cross = structure::cross_matrix(spin.axis);
+  spin.turning += inertia * rows.transpose() * cross * rows;
+  spin.crosswise -= inertia * rows.transpose() * cross * cross * rows;
+}
+
+/// Of masses that only move: 2 a x u' and a x (a x u), by all of their motion.
+void add_rotating_frame(const BodyDefinition &definition, const ReducedBody &body,
+                        SpinMatrices &spin) {
+  spin.rotating_frame = true;
+  spin.gyroscopic = 2 * spin.turning;
+  spin.centrifugal = -spin.crosswise;
+  spin.centrifugal_load = Vector::Zero(body.size());
+  for (const LumpedMass &mass : definition.masses) {
+    const Vector3 arm = mass.position - definition.lumped_spin->through;
+    const Vector3 across = arm - arm.dot(spin.axis) * spin.axis;
+    if (turns(*definition.lumped_spin, mass))
+      spin.centrifugal_load +=
+          mass.mass * body.point(mass.name).rows.topRows(3).transpose() * across;
+  }
+}
+
+SpinMatrices spin_of(const BodyDefinition &definition, const ReducedBody &body) {
+  const structure::SpinAxis &axis = *definition.lumped_spin;
+  const Matrix none = Matrix::Zero(body.size(), body.size());
+  SpinMatrices spin{.axis = axis.direction,
+                    .rotating_frame = false,
+                    .gyroscopic = none,
+                    .centrifugal = {},
+                    .centrifugal_load = {},
+                    .turning = none,
+                    .crosswise = none};
+  for (const LumpedMass &mass : definition.masses) {
+    if (!turns(axis, mass))
+      continue;
+    const Matrix &rows = body.point(mass.name).rows;
+    add_whirl(rows.topRows(3), mass.mass, spin);
+    if (mass.inertia.isZero(0))
+      continue;
+    if (axis.rotating_frame)
+      throw structure::DefinitionError("Mass", mass.name, "Axis",
+                                       "must name displacements alone when Frame = rotating");
+    const auto [polar, diametral] = round_inertia(mass, axis.direction);
+    add_whirl(rows.bottomRows(3), diametral, spin);
+    spin.gyroscopic -= polar * rows.bottomRows(3).transpose() *
+                       structure::cross_matrix(axis.direction) * rows.bottomRows(3);
+  }
+  if (axis.rotating_frame)
+    add_rotating_frame(definition, body, spin);
+  return spin;
+}
+
+void check_spinning(const BodyDefinition &definition) {
+  for (const std::string &name : definition.lumped_spin->points)
+    if (std::none_of(definition.masses.begin(), definition.masses.end(),
+                     [&](const LumpedMass &mass) { return mass.name == name; }))
+      throw structure::DefinitionError("Spin axis", "", "Points",
+                                       "must name masses of the body, but there is no " + name);
+}
+
 } // namespace
 
 ReducedBody lumped_body(const BodyDefinition &definition) {
@@ -84,6 +165,10 @@ ReducedBody lumped_body(const BodyDefinition &definition) {
     first = add_mass(mass, first, body);
   for (const LumpedPoint &point : definition.lumped_points)
     body.points.push_back(carried_point(point, body));
+  if (definition.lumped_spin) {
+    check_spinning(definition);
+    body.spin = spin_of(definition, body);
+  }
   return body;
 }
 

@@ -10,6 +10,7 @@
 #include "reduction/modal_body.h"
 #include "reduction/point_response.h"
 #include "reduction/rotor_body.h"
+#include "reduction/spin_projection.h"
 #include "reduction/stability.h"
 #include "structure/matrix_body.h"
 
@@ -203,6 +204,9 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
                     : free_interface_basis(definition, assembled, problem);
   warn_of_implausible(definition.name, assembled, basis.first_elastic);
   stages.begin("static solutions", large);
+  SpinMatrices spin;
+  if (!assembled.model.spinning.empty())
+    spin = spin_matrices(assembled, problem, basis, *definition.beam.spin);
   const PointResponse response = point_response(assembled, problem, basis.held);
 
   ReducedBody body;
@@ -215,6 +219,7 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   body.base_participation =
       free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
   add_points(assembled.model, basis.shapes, response, body);
+  body.spin = std::move(spin);
   body.recovery = recovery(assembled.model, std::move(basis.shapes), response.deflection);
   if (!body.recovery.empty()) {
     body.recovery.line_stress = line_stress(assembled.model, body.recovery.shapes);

@@ -73,6 +73,26 @@ struct Recovery {
   bool empty() const { return lines.empty() && cells.empty(); }
 };
 
+/// What turning about an axis at a constant speed Omega adds:
+///
+///   ... + Omega gyroscopic q' + Omega^2 centrifugal q = ... + Omega^2 centrifugal_load
+///
+/// In the fixed frame these are gyroscopic moments alone. In the rotating frame, with which the
+/// displacements turn, the first are Coriolis forces.
+struct SpinMatrices {
+  Vector3 axis = Vector3::Zero(); ///< unit vector, about which the speed is positive
+  bool rotating_frame = false;
+  Matrix gyroscopic;       ///< n x n, skew; does no work
+  Matrix centrifugal;      ///< n x n, symmetric; 0 x 0 in the fixed frame
+  Vector centrifugal_load; ///< n; empty in the fixed frame
+  /// n x n, skew: u'. (axis x u) over the mass, with rotations likewise. In a vibration it is
+  /// positive where points go round as the body turns, forward whirl, and negative backward.
+  Matrix turning;
+  Matrix crosswise; ///< n x n, symmetric: |axis x u|^2 over the mass, with rotations likewise
+
+  bool empty() const { return gyroscopic.size() == 0; }
+};
+
 struct ReducedBody {
   std::string name;
   std::string type; ///< "beam", "shell", "solid", "matrices", "lumped", "rotor" or "modes"
@@ -84,7 +104,8 @@ struct ReducedBody {
                              ///< / unit]
 
   std::vector<BodyPoint> points;
-  Recovery recovery; ///< empty for lumped bodies
+  Recovery recovery;   ///< empty for lumped bodies
+  SpinMatrices spin{}; ///< empty where nothing turns
 
   Vector3 total_mass = Vector3::Zero(); ///< mass that a base motion along each axis moves [kg]
   /// n, for modal bodies: bound of the relative error of omega^2, from r = K phi - omega^2 M phi in

@@ -31,9 +31,9 @@ void declare_section_keys(Section &section, const std::string &rectangle) {
       .quantity("Torsion constant", "", dimension::second_moment, range::positive, "J",
                 "St Venant torsion.")
       .required("Shape = given")
-      .choice("Theory", "Euler-Bernoulli", {"Euler-Bernoulli", "Timoshenko"},
-              "Euler-Bernoulli: slender beams; Timoshenko: with shear deformation and the rotary "
-              "inertia of the section in bending.")
+      .choice("Theory", "Euler-Bernoulli", {"Euler-Bernoulli", "Rayleigh", "Timoshenko"},
+              "Euler-Bernoulli: slender beams; Rayleigh: with the rotary inertia of the section in "
+              "bending; Timoshenko: with shear deformation besides.")
       .quantities("Shear correction", "", dimension::none,
                   Range{.lower = 0, .upper = 1, .lower_open = true}, "\\kappa",
                   "Factor of the area for shear forces, for both local axes or along y and z; "

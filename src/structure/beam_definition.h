@@ -41,8 +41,9 @@ struct Line {
 };
 
 /// Euler-Bernoulli: cross-sections stay normal to the axis, and only their polar inertia counts.
-/// Timoshenko: they are sheared, and have rotary inertia in bending.
-enum class BeamTheory { euler_bernoulli, timoshenko };
+/// Rayleigh: they stay normal and have rotary inertia in bending. Timoshenko: they are sheared
+/// besides.
+enum class BeamTheory { euler_bernoulli, rayleigh, timoshenko };
 
 /// Dimensions of the cross-section [m]; those that its shape does not use stay 0.
 struct SectionShape {
@@ -101,6 +102,17 @@ struct Point {
   Vector3 offset = Vector3::Zero();              ///< of the centre of mass from the node [m]
 };
 
+/// Before any motion, tension positive [N]; it changes linearly along the member.
+struct AxialForce {
+  double start = 0, end = 0;
+
+  AxialForce() = default;
+  AxialForce(double uniform) : start(uniform), end(uniform) {}
+  AxialForce(double at_start, double at_end) : start(at_start), end(at_end) {}
+  bool any() const { return start != 0 || end != 0; }
+  bool changes() const { return start != end; }
+};
+
 /// Beams along some lines of a body.
 struct Member {
   std::string name;
@@ -111,7 +123,16 @@ struct Member {
   Material material{};
   std::optional<Vector3> local_y{};
   std::array<double, 2> offset{}; ///< of the axis from the nodes along local y and z [m]
-  double axial_force = 0;         ///< before any motion, tension positive [N]
+  AxialForce axial_force{};
+};
+
+/// What of a body turns at a given speed, and how its motion is described.
+struct SpinAxis {
+  Vector3 direction = Vector3::UnitX(); ///< unit vector
+  std::vector<std::string> members{};   ///< whose lines turn; empty: all lines
+  std::vector<std::string> points{};    ///< whose lumped masses turn; empty: all
+  bool rotating_frame = false;          ///< the displacements turn with the body
+  Vector3 through = Vector3::Zero();    ///< a place of the axis [m]; counts in the rotating frame
 };
 
 /// Where the ends of a member do not follow the nodes: released displacements and rotations, along
@@ -166,6 +187,7 @@ struct BeamDefinition {
   std::vector<RigidLink> links{};
   std::vector<Interface> interfaces{};
   std::vector<Load> loads{};
+  std::optional<SpinAxis> spin{};
 };
 
 } // namespace vibroimpact::structure

@@ -5,12 +5,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <utility>
-#include <vector>
-
 namespace vibroimpact::structure {
-
-namespace {
 
 // Exact for polynomials of degree 15: all integrals of a uniform beam (degree 6), and those of a
 // tapered element, whose 1 / EI is smooth, to rounding unless its depth changes by a large factor.
@@ -24,6 +19,8 @@ const std::vector<std::pair<double, double>> &line_gauss_points() {
   }();
   return points;
 }
+
+namespace {
 
 /// Motion (rows u, v, w, rx, ry, rz) of the section at x by unit forces that belong to the
 /// deformations, with the first end held: with these forces the internal moments are
@@ -74,8 +71,6 @@ DeformationMatrix inverse(const DeformationMatrix &flexibility) {
   return (stiffness + stiffness.transpose()) / 2;
 }
 
-using SectionMotion = Eigen::Matrix<double, 6, 12>;
-
 /// Motion of the section at x from that of the ends: the chord, and what deforms from it.
 SectionMotion section_motion(const Eigen::Matrix<double, 6, 12> &deformation,
                              const DeformationMatrix &forces, const DeformationMatrix &by_forces,
@@ -98,14 +93,6 @@ SectionMotion section_motion(const Eigen::Matrix<double, 6, 12> &deformation,
   motion(5, 7) += 1 / length;
   return motion;
 }
-
-using Rows = Eigen::Matrix<double, 1, 12>;
-
-/// One plane of bending at a section: slope of the axis v' = r + g, rotation r, its change r' along
-/// the beam, shear angle g and shear force.
-struct Bending {
-  Rows slope, rotation, curvature, shear_angle, shear_force;
-};
 
 Bending bending_xy(const SectionMotion &motion, const SectionMotion &forces,
                    const BeamProperties &p, double length, double along) {
@@ -188,7 +175,8 @@ DeformationVector inertia(const BeamProperties &p) {
 /// is
 ///   h^2 / 12 (rho A g v' + rho I r'^2 - rho / E V r).
 /// With it frequencies converge with the order 4, otherwise with 2. It vanishes for rigid motions,
-/// and altogether in Euler-Bernoulli's theory.
+/// and altogether without shear deformation, where the deflection under end forces is a basis of
+/// Ritz with the order 4 by itself.
 ElementMatrix inner_inertia(const Bending &plane, double mass_per_length, double rotary_inertia,
                             double bending_stiffness, double length) {
   return length * length / 12 *
@@ -197,43 +185,58 @@ ElementMatrix inner_inertia(const Bending &plane, double mass_per_length, double
           rotary_inertia / bending_stiffness * plane.shear_force.transpose() * plane.rotation);
 }
 
-/// Work of the axial force over the lengthening by slopes and twist,
-///   N (v'^2 + w'^2 + (I_y + I_z) / A rx'^2) / 2.
-ElementMatrix axial_work(const Bending &xy, const Bending &xz, const Rows &twist,
-                         const BeamProperties &p) {
-  return p.axial_force * (xy.slope.transpose() * xy.slope + xz.slope.transpose() * xz.slope +
-                          p.polar_radius_squared * twist.transpose() * twist);
-}
-
-void integrate(const PropertiesAlong &properties, double length,
-               const Eigen::Matrix<double, 6, 12> &deformation, const DeformationMatrix &stiffness,
+void integrate(const PropertiesAlong &properties, double length, const DeformationMatrix &stiffness,
                BeamMatrices &matrices) {
   matrices.mass.setZero();
   matrices.geometric.setZero();
-  const SectionMotion forces = stiffness * deformation;
-  for (const auto &[along, weight] : line_gauss_points()) {
-    const double part = weight * length;
-    const BeamProperties p = properties(along);
-    const SectionMotion motion =
-        section_motion(deformation, stiffness, motion_by_forces(properties, length, along * length),
-                       length, along * length);
-    const Bending xy = bending_xy(motion, forces, p, length, along);
-    const Bending xz = bending_xz(motion, forces, p, length, along);
+  for (const SectionSample &sample : section_samples(properties, length, stiffness)) {
+    const BeamProperties &p = sample.properties;
+    const double part = sample.part;
     matrices.total_mass += part * p.mass_per_length;
-    matrices.mass += part * motion.transpose() * inertia(p).asDiagonal() * motion;
-    if (p.rotary_inertia_y > 0 || p.rotary_inertia_z > 0)
-      matrices.mass +=
-          part *
-          (inner_inertia(xy, p.mass_per_length, p.rotary_inertia_z, p.bending_stiffness_z, length) +
-           inner_inertia(xz, p.mass_per_length, p.rotary_inertia_y, p.bending_stiffness_y, length));
+    matrices.mass += part * sample.motion.transpose() * inertia(p).asDiagonal() * sample.motion;
+    if (p.shear_flexibility_y > 0 || p.shear_flexibility_z > 0)
+      matrices.mass += part * (inner_inertia(sample.xy, p.mass_per_length, p.rotary_inertia_z,
+                                             p.bending_stiffness_z, length) +
+                               inner_inertia(sample.xz, p.mass_per_length, p.rotary_inertia_y,
+                                             p.bending_stiffness_y, length));
     if (p.axial_force != 0)
-      matrices.geometric += part * axial_work(xy, xz, forces.row(1) / p.torsional_stiffness, p);
+      matrices.geometric += part * axial_work(sample, p.axial_force);
   }
 }
 
 ElementMatrix symmetric(const ElementMatrix &matrix) { return (matrix + matrix.transpose()) / 2; }
 
 } // namespace
+
+ElementMatrix axial_work(const SectionSample &sample, double axial_force) {
+  return axial_force *
+         (sample.xy.slope.transpose() * sample.xy.slope +
+          sample.xz.slope.transpose() * sample.xz.slope +
+          sample.properties.polar_radius_squared * sample.twist.transpose() * sample.twist);
+}
+
+std::vector<SectionSample> section_samples(const PropertiesAlong &properties, double length,
+                                           const DeformationMatrix &stiffness) {
+  const Eigen::Matrix<double, 6, 12> deformation = deformation_matrix(length);
+  const SectionMotion forces = stiffness * deformation;
+  std::vector<SectionSample> samples;
+  for (const auto &[along, weight] : line_gauss_points()) {
+    SectionSample sample{.along = along, .part = weight * length, .properties = properties(along)};
+    const BeamProperties &p = sample.properties;
+    sample.motion =
+        section_motion(deformation, stiffness, motion_by_forces(properties, length, along * length),
+                       length, along * length);
+    sample.xy = bending_xy(sample.motion, forces, p, length, along);
+    sample.xz = bending_xz(sample.motion, forces, p, length, along);
+    sample.twist = forces.row(1) / p.torsional_stiffness;
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+DeformationMatrix deformation_stiffness(const PropertiesAlong &properties, double length) {
+  return inverse(flexibility(properties, length));
+}
 
 Eigen::Matrix<double, 6, 12> deformation_matrix(double length) {
   Eigen::Matrix<double, 6, 12> rows = Eigen::Matrix<double, 6, 12>::Zero();
@@ -253,9 +256,9 @@ Eigen::Matrix<double, 6, 12> deformation_matrix(double length) {
 BeamMatrices beam_matrices(const PropertiesAlong &properties, double length,
                            const Releases &releases) {
   const Eigen::Matrix<double, 6, 12> deformation = deformation_matrix(length);
-  const DeformationMatrix stiffness = inverse(flexibility(properties, length));
+  const DeformationMatrix stiffness = deformation_stiffness(properties, length);
   BeamMatrices matrices;
-  integrate(properties, length, deformation, stiffness, matrices);
+  integrate(properties, length, stiffness, matrices);
   const Slip released = slip(deformation, stiffness, releases);
   matrices.ends.setIdentity();
   if (!released.rows.empty()) {

@@ -6,6 +6,9 @@
 
 #include <Eigen/Dense>
 
+#include <utility>
+#include <vector>
+
 namespace vibroimpact::structure {
 
 /// Rows u, v, w, rx, ry, rz of the first end, then of the second.
@@ -29,6 +32,40 @@ struct BeamMatrices {
   ElementMatrix ends;
   double total_mass = 0; ///< [kg]
 };
+
+/// Motion u, v, w, rx, ry, rz of a section from that of both ends.
+using SectionMotion = Eigen::Matrix<double, 6, 12>;
+using EndRow = Eigen::Matrix<double, 1, 12>;
+
+/// One plane of bending at a section: slope of the axis v' = r + g, rotation r, its change r' along
+/// the beam, shear angle g and shear force.
+struct Bending {
+  EndRow slope, rotation, curvature, shear_angle, shear_force;
+};
+
+/// A section at a point of the rule of integration, without releases.
+struct SectionSample {
+  double along = 0; ///< fraction of the length
+  double part = 0;  ///< of the length that it stands for [m]
+  BeamProperties properties{};
+  SectionMotion motion{};
+  Bending xy{}, xz{}; ///< the rotation of the second, whose slope is w', is -ry
+  EndRow twist{};     ///< rx' [1/m]
+};
+
+/// Points (fractions) and weights of the rule of integration along an element.
+const std::vector<std::pair<double, double>> &line_gauss_points();
+
+/// `stiffness`: of the deformations.
+std::vector<SectionSample> section_samples(const PropertiesAlong &properties, double length,
+                                           const DeformationMatrix &stiffness);
+
+/// Work of an axial force N over the lengthening by slopes and twist, per length,
+///   N (v'^2 + w'^2 + (I_y + I_z) / A rx'^2) / 2.
+ElementMatrix axial_work(const SectionSample &sample, double axial_force);
+
+/// Forces that belong to the deformations, without releases.
+DeformationMatrix deformation_stiffness(const PropertiesAlong &properties, double length);
 
 /// 6 x 12, deformations from the motion of both ends.
 Eigen::Matrix<double, 6, 12> deformation_matrix(double length);

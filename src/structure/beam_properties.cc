@@ -29,24 +29,37 @@ BeamProperties beam_properties(const SectionShape &shape, const Material &materi
                             .polar_radius_squared = polar / section.area};
   if (shape.theory == BeamTheory::euler_bernoulli)
     return properties;
+  properties.rotary_inertia_y = material.density * section.second_moment_y;
+  properties.rotary_inertia_z = material.density * section.second_moment_z;
+  if (shape.theory == BeamTheory::rayleigh)
+    return properties;
   const auto [kappa_y, kappa_z] = shear_correction(shape, material.poisson_ratio);
   properties.shear_flexibility_y = 1 / (kappa_y * shear_modulus * section.area);
   properties.shear_flexibility_z = 1 / (kappa_z * shear_modulus * section.area);
-  properties.rotary_inertia_y = material.density * section.second_moment_y;
-  properties.rotary_inertia_z = material.density * section.second_moment_z;
   return properties;
 }
 
 PropertiesAlong properties_along(const SectionShape &shape, const Material &material,
-                                 double axial_force, double begin, double end) {
+                                 const AxialForce &axial_force, double begin, double end) {
+  const auto force_at = [=](double along) {
+    return axial_force.start + (axial_force.end - axial_force.start) * along;
+  };
+  const auto member_place = [=](double along) { return (1 - along) * begin + along * end; };
   const auto at = [=](double along) {
     BeamProperties properties = beam_properties(shape_at(shape, along), material);
-    properties.axial_force = axial_force;
+    properties.axial_force = force_at(along);
     return properties;
   };
-  if (!tapered(shape))
-    return [uniform = at(0)](double) { return uniform; };
-  return [=](double along) { return at((1 - along) * begin + along * end); };
+  if (tapered(shape))
+    return [=](double along) { return at(member_place(along)); };
+  const BeamProperties uniform = at(0);
+  if (!axial_force.changes())
+    return [uniform](double) { return uniform; };
+  return [=](double along) {
+    BeamProperties properties = uniform;
+    properties.axial_force = force_at(member_place(along));
+    return properties;
+  };
 }
 
 } // namespace vibroimpact::structure

@@ -32,8 +32,8 @@ BeamProperties beam_properties(const SectionShape &shape, const Material &materi
 using PropertiesAlong = std::function<BeamProperties(double)>;
 
 /// Properties of the part from `begin` to `end` (fractions of the length) of a beam, tapered or
-/// not, under a constant axial force. Throws like beam_properties().
+/// not, under an axial force. Throws like beam_properties().
 PropertiesAlong properties_along(const SectionShape &shape, const Material &material,
-                                 double axial_force, double begin, double end);
+                                 const AxialForce &axial_force, double begin, double end);
 
 } // namespace vibroimpact::structure

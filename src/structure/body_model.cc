@@ -7,6 +7,7 @@
 #include "structure/rigid_links.h"
 #include "structure/shell_body.h"
 #include "structure/solid_body.h"
+#include "structure/spin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,25 +23,6 @@ void apply_support(BodyModel &model, const Support &support) {
         model.fixed[node][component] = true;
       model.spring[node][component] += support.stiffness[component];
     }
-}
-
-/// The inertia of a mass m at r from its node, rigidly fixed to it: with the cross product r x as
-/// the matrix R, the displacement u - R theta and the inertia J about the centre of mass
-///   | m 1   -m R       |
-///   | m R   J - m R R  |
-LumpedMass lumped_mass(const Point &point) {
-  Eigen::Matrix3d arm;
-  for (int axis = 0; axis < 3; ++axis)
-    arm.col(axis) = point.offset.cross(Vector3::Unit(axis));
-  Eigen::Matrix3d inertia = point.rotary_inertia.asDiagonal();
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    inertia(i, j) = inertia(j, i) = -point.products_of_inertia[i];
-  }
-  LumpedMass mass;
-  mass << point.mass * Eigen::Matrix3d::Identity(), -point.mass * arm, point.mass * arm,
-      inertia - point.mass * arm * arm;
-  return (mass + mass.transpose()) / 2;
 }
 
 void apply_point(BodyModel &model, const Point &point) {
@@ -98,6 +80,25 @@ template <class Definition> void complete(BodyModel &model, const Definition &de
 
 } // namespace
 
+// With the cross product r x as the matrix R, the displacement u - R theta and the inertia J about
+// the centre of mass
+//   | m 1   -m R       |
+//   | m R   J - m R R  |
+LumpedMass lumped_mass(const Point &point) {
+  Eigen::Matrix3d arm;
+  for (int axis = 0; axis < 3; ++axis)
+    arm.col(axis) = point.offset.cross(Vector3::Unit(axis));
+  Eigen::Matrix3d inertia = point.rotary_inertia.asDiagonal();
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    inertia(i, j) = inertia(j, i) = -point.products_of_inertia[i];
+  }
+  LumpedMass mass;
+  mass << point.mass * Eigen::Matrix3d::Identity(), -point.mass * arm, point.mass * arm,
+      inertia - point.mass * arm * arm;
+  return (mass + mass.transpose()) / 2;
+}
+
 void add_parts(const BodyParts &parts, BodyModel &model) {
   const std::size_t nodes = model.mesh.nodes.size();
   model.fixed.assign(nodes, {});
@@ -146,6 +147,8 @@ BodyModel build_frame(const BeamDefinition &definition) {
   model.rigid = rigid_bodies(model, definition.links, names, lines.members);
   check_hinges(model, definition, lines.frames, lines.releases);
   check_rigid_lines(model, definition, lines.members);
+  if (definition.spin)
+    add_spin(model, definition, lines);
   for (const Load &load : definition.loads)
     if (load.pressure != 0)
       throw DefinitionError("Load", load.name, "Pressure",

@@ -7,6 +7,7 @@
 #include "structure/solid_definition.h"
 #include "structure/triangle_locking.h"
 
+#include <functional>
 #include <memory>
 
 namespace vibroimpact::structure {
@@ -23,6 +24,18 @@ using LumpedMass = Eigen::Matrix<double, 6, 6>;
 
 struct GivenMatrices;
 
+/// What turning at a speed Omega adds to an element or a lumped mass, see beam_spin.h. Rows are
+/// u, v, w, rx, ry, rz of its nodes in global axes.
+struct SpinPart {
+  std::vector<int> nodes;
+  NodalMatrix gyroscopic, turning, crosswise;
+  NodalMatrix centrifugal{}; ///< of the rotating frame; empty in the fixed one
+  NodalVector load{};        ///< likewise
+  /// Geometric stiffness from the displacement of the nodes under the load of all parts; none
+  /// where there is no line.
+  std::function<NodalMatrix(const NodalVector &)> stiffening{};
+};
+
 struct BodyModel {
   Mesh mesh;
   Elements elements;                         ///< of any kind; they share the mesh's nodes
@@ -38,12 +51,16 @@ struct BodyModel {
   double wave_speed = 0;                        ///< largest sqrt(E / rho) of its materials [m/s]
   bool prestressed = false;                     ///< axial forces act before any motion
   std::shared_ptr<const GivenMatrices> given{}; ///< in the place of elements
+  std::vector<SpinPart> spinning{};             ///< about the axis of the body
 
   /// Mass of the elements, without lumped masses [kg].
   double distributed_mass() const;
   double total_mass() const;
   void add_material(const Material &material);
 };
+
+/// The inertia of the mass of a point, at r from its node and rigidly fixed to it.
+LumpedMass lumped_mass(const Point &point);
 
 /// What bodies of all types with a mesh have.
 struct BodyParts {

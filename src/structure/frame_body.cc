@@ -29,10 +29,14 @@ std::vector<int> lines_of(const FrameLines &lines, int member) {
   return own;
 }
 
-/// Fractions of the member at both ends of each of its lines; only tapered ones ask.
+bool changes_along(const Member &member) {
+  return tapered(member.section) || member.axial_force.changes();
+}
+
+/// Fractions of the member at both ends of each of its lines; only those that change along it ask.
 std::vector<std::array<double, 2>> places(const Mesh &mesh, const std::vector<int> &lines,
                                           const Member &member) {
-  if (!tapered(member.section))
+  if (!changes_along(member))
     return std::vector<std::array<double, 2>>(lines.size(), {0, 0});
   return places_on_chains(mesh, lines, member.name.empty() ? "Section" : "Member", member.name);
 }
@@ -47,12 +51,11 @@ std::shared_ptr<const Element> element_of(const Mesh &mesh, const Member &member
                                           const std::array<double, 2> &along, const EndPlaces &ends,
                                           const FrameLines &lines) {
   const ElementFrame &frame = lines.frames[line];
-  const Vector3 offset = frame.axes.transpose() * Vector3(0, member.offset[0], member.offset[1]);
   try {
     return std::make_shared<FrameElement>(
         mesh.lines[line],
         properties_along(member.section, member.material, member.axial_force, along[0], along[1]),
-        frame, offset, ends, lines.releases[line]);
+        frame, offset_of(member, frame), ends, lines.releases[line]);
   } catch (const NumericalError &error) {
     throw DefinitionError("Member", member.name, "",
                           "has hinges with which its line at " +
@@ -72,7 +75,7 @@ void add_member(BodyModel &model, const Member &member, const std::vector<int> &
     model.elements[own[i]] = element_of(model.mesh, member, own[i], along[i], ends, lines);
   }
   model.add_material(member.material);
-  model.prestressed = model.prestressed || member.axial_force != 0;
+  model.prestressed = model.prestressed || member.axial_force.any();
 }
 
 /// Keys of sections and materials are those of the member, if it has one of its own.
@@ -122,6 +125,31 @@ FrameLines frame_lines(const Mesh &mesh, const BeamDefinition &definition) {
   return lines;
 }
 
+Vector3 offset_of(const Member &member, const ElementFrame &frame) {
+  return frame.axes.transpose() * Vector3(0, member.offset[0], member.offset[1]);
+}
+
+Member member_at(const BeamDefinition &definition, int position) {
+  return position < 0 ? own_member(definition)
+                      : definition.members[static_cast<std::size_t>(position)];
+}
+
+std::vector<PropertiesAlong> properties_of_lines(const Mesh &mesh, const BeamDefinition &definition,
+                                                 const FrameLines &lines) {
+  std::vector<PropertiesAlong> properties(mesh.lines.size());
+  for (int m = -1; m < static_cast<int>(definition.members.size()); ++m) {
+    const std::vector<int> own = lines_of(lines, m);
+    if (own.empty())
+      continue;
+    const Member member = member_at(definition, m);
+    const auto along = places(mesh, own, member);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      properties[own[i]] = properties_along(member.section, member.material, member.axial_force,
+                                            along[i][0], along[i][1]);
+  }
+  return properties;
+}
+
 void add_frame_elements(BodyModel &model, const BeamDefinition &definition,
                         const FrameLines &lines) {
   model.elements.resize(model.mesh.lines.size());
@@ -139,7 +167,7 @@ void check_rigid_lines(const BodyModel &model, const BeamDefinition &definition,
   };
   for (std::size_t line = 0; line < members.size(); ++line)
     for (const std::vector<int> &nodes : model.rigid)
-      if (members[line] >= 0 && definition.members[members[line]].axial_force != 0 &&
+      if (members[line] >= 0 && definition.members[members[line]].axial_force.any() &&
           within(nodes, model.mesh.lines[line]))
         throw DefinitionError("Member", definition.members[members[line]].name, "Axial force",
                               "must be 0 N for lines within a Rigid link, but the one at " +

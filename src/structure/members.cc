@@ -52,10 +52,11 @@ std::vector<int> lines_of(const Mesh &mesh, const BeamDefinition &definition,
 
 [[noreturn]] void fail_chain(const Mesh &mesh, int node, const std::string &kind,
                              const std::string &name, const std::string &problem) {
-  throw DefinitionError(kind, name, "",
-                        "is tapered, so that its lines must be chains that run in one direction, "
-                        "but " +
-                            problem + " at " + coordinates(mesh.nodes[node]));
+  throw DefinitionError(
+      kind, name, "",
+      "changes along its length, so that its lines must be chains that run in one direction, "
+      "but " +
+          problem + " at " + coordinates(mesh.nodes[node]));
 }
 
 } // namespace

@@ -42,7 +42,8 @@ TEST(BeamParameters, AMemberHasTheBodysSectionUnlessItGivesItsOwn) {
   const auto plain = definition_of(member("set Axial force = -3 N\n")).beam.members.at(0);
   EXPECT_DOUBLE_EQ(plain.section.width, 0.03);
   EXPECT_DOUBLE_EQ(plain.material.young_modulus, 206e9);
-  EXPECT_DOUBLE_EQ(plain.axial_force, -3);
+  EXPECT_DOUBLE_EQ(plain.axial_force.start, -3);
+  EXPECT_DOUBLE_EQ(plain.axial_force.end, -3);
   EXPECT_DOUBLE_EQ((*plain.between)[1], 0.15);
   const auto own = definition_of(member("set Shape = circle\nset Diameter = 2 mm\n"
                                         "set Young modulus = 70 GPa\nset Offset = 1 mm, 2 mm\n"))

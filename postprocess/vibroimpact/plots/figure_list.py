@@ -8,6 +8,7 @@ from . import (
     basins,
     bifurcation,
     branches,
+    campbell,
     chosen_figures,
     circular_gaps,
     cycles,
@@ -40,6 +41,7 @@ OWN = {**{name: [branches] for name in branches.TYPES}, loci.TYPE: [loci],
        fits.TYPE: [fits, derived_curves],
        fronts.TYPE: [fronts], shares.TYPE: [shares],
        isolator.TYPE: [isolator],
+       campbell.TYPE: [campbell],
        **{name: [basins] for name in basins.TYPES}}
 
 

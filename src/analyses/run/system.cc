@@ -72,6 +72,7 @@ System build_system(const parameters::Values &root, const parameters::Values &an
   model::Model model(std::move(bodies));
   model::add_excitations(root, selected(analysis, "Excitations", root.instances("Excitation")),
                          model);
+  model::add_spins(root, model);
   model::add_connections(root, model);
   model::add_rotors(root, model);
   const std::vector<std::string> contacts =

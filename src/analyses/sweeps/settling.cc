@@ -249,7 +249,9 @@ SettledMotion Settler::operator()(double period, const Vector &scale, const Sett
 // False for motions that do not repeat themselves after the period, whatever they do.
 bool Settler::repeats(double period) const {
   const model::Model &model = trajectory_.equations().model();
-  return model.rotors().empty() && !periodic::source_without_period(model, period);
+  const bool runs_up = std::any_of(model.spins().begin(), model.spins().end(),
+                                   [](const model::Spin &spin) { return !spin.speed.constant(); });
+  return model.rotors().empty() && !runs_up && !periodic::source_without_period(model, period);
 }
 
 // What one has done before must leave no trace in what it does next.

@@ -2,6 +2,7 @@
 
 #include "analyses/recorders/observables.h"
 #include "common/log.h"
+#include "model/whirl.h"
 
 #include <algorithm>
 #include <numbers>
@@ -109,6 +110,9 @@ void add_damped(const FieldWriter &of, const Model &model, const DampedModes &da
       "damping_ratio", damped_dimension,
       numbers((size.array() > 0).select(-damped.eigenvalues.real().array() / size.array(), 0.0)),
       "1", "share of the decay rate in the size of the eigenvalue");
+  if (!model.spins().empty())
+    below.series("whirl", damped_dimension, numbers(whirl_numbers(model, damped.shapes)), "1",
+                 "1: forward whirl in circles, -1: backward, 0: to and fro");
   for (const Observable &observed : point_observables(
            model, {.points = {}, .kinds = {"displacement", "rotation", "elongation"}})) {
     const RowVector &row = std::get<motion::PointForm>(observed.form).projection.row;
@@ -158,7 +162,7 @@ void add_assembled_modes(const FieldWriter &result, const Model &model,
   of.listed().number("rigid_modes", static_cast<double>(modes.rigid), "1",
                      "motions of the whole system that store no energy");
   of.listed().number("modal_damping", modes.modal_damping ? 1 : 0, "1",
-                     "1: the damping couples no modes, 0: it does");
+                     "1: damping and gyroscopic moments couple no modes, 0: they do");
   add_participation(of, model, modes);
   add_shapes(of, model, modes);
   for (std::size_t b = 0; b < model.bodies().size(); ++b)

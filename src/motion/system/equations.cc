@@ -158,7 +158,7 @@ Matrix Equations::response_to(const Matrix &rows, double time, ConstVectorView x
   return response.colwise() - unloaded;
 }
 
-// Cubic springs and rotors; divides by the mass. Returns the power they take in.
+// Cubic springs, run-ups and rotors; divides by the mass. Returns the power they take in.
 double Equations::add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const {
   const Index n = layout_.n;
   const ConstVectorView q(x.data(), n);
@@ -166,6 +166,7 @@ double Equations::add_nonlinear_forces(double time, ConstVectorView x, VectorVie
   const ConstVectorView drive(x.data() + layout_.drive(), layout_.n_drive);
   VectorView acceleration(dxdt.data() + layout_.velocity(), n);
   double power = model_.add_cubic_forces(source_time(time), q, acceleration);
+  model_.add_run_up_forces(source_time(time), velocity, acceleration);
   const RotorSet &rotors = model_.rotors();
   if (rotors.empty()) {
     acceleration.array() /= model_.mass().array();
@@ -186,9 +187,9 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
   jacobian.setZero(layout_.size(), layout_.size());
   jacobian.block(0, n, n, n).setIdentity();
   jacobian.block(n, 0, n, n) = -model_.stiffness().dense();
-  if (!model_.linear())
-    add_cubic_stiffness(time, x, jacobian);
   jacobian.block(n, n, n, n) = -model_.damping().dense();
+  if (!model_.linear())
+    add_nonlinear_forces(time, x, jacobian);
   load(time);
   jacobian.row(layout_.input_work()).segment(n, n) = load_.transpose();
   for (std::size_t c = 0; c < contacts_.size(); ++c)
@@ -203,11 +204,14 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
     follow_force_rates(time, x, jacobian);
 }
 
-void Equations::add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const {
+void Equations::add_nonlinear_forces(double time, ConstVectorView x, Matrix &jacobian) const {
   const Index n = layout_.n;
   Matrix stiffness = Matrix::Zero(n, n);
   model_.add_cubic_stiffness(source_time(time), ConstVectorView(x.data(), n), stiffness);
   jacobian.block(n, 0, n, n) -= stiffness;
+  Matrix damping = Matrix::Zero(n, n);
+  model_.add_run_up_damping(source_time(time), damping);
+  jacobian.block(n, n, n, n) -= damping;
 }
 
 void Equations::couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const {
@@ -237,6 +241,8 @@ Vector Equations::uncoupled_acceleration(double time, ConstVectorView x) const {
   Vector force = load_ - elastic_ - damping_;
   const VectorView view(force.data(), n);
   model_.add_cubic_forces(source_time(time), q, view);
+  model_.add_run_up_forces(source_time(time), ConstVectorView(x.data() + layout_.velocity(), n),
+                           view);
   model_.rotors().add_torques(ConstVectorView(x.data() + layout_.drive(), layout_.n_drive), view);
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (!inactive(c))

@@ -211,7 +211,7 @@ private:
   void hold(Matrix &jacobian) const;
   double force_magnitude(std::size_t contact, int direction, double time, const Vector &x) const;
   double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;
-  void add_cubic_stiffness(double time, ConstVectorView x, Matrix &jacobian) const;
+  void add_nonlinear_forces(double time, ConstVectorView x, Matrix &jacobian) const;
   void couple_rotors(double time, ConstVectorView x, Matrix &jacobian) const;
   Vector uncoupled_acceleration(double time, ConstVectorView x) const;
 

@@ -83,12 +83,13 @@ contact::AffineLaw tangent_law(const Equations &equations, std::size_t contact, 
 LinearSystem::LinearSystem(const Equations &equations) : laws_(laws_of(equations)) {
   if (!holds(equations))
     throw std::logic_error("this phase of the motion is not linear");
-  assemble(equations, equations.model().stiffness().dense());
+  assemble(equations, equations.model().stiffness().dense(), equations.model().damping().dense());
 }
 
 LinearSystem LinearSystem::of_modes(const Equations &equations) {
   LinearSystem system(laws_of(equations));
-  system.assemble(equations, equations.model().stiffness().dense());
+  system.assemble(equations, equations.model().stiffness().dense(),
+                  equations.model().damping().dense());
   return system;
 }
 
@@ -98,16 +99,20 @@ LinearSystem LinearSystem::tangent(const Equations &equations, double time, cons
   for (std::size_t c = 0; c < equations.contacts().size(); ++c)
     laws.push_back(tangent_law(equations, c, time, x));
   LinearSystem system(std::move(laws));
-  Matrix stiffness = equations.model().stiffness().dense();
-  if (!equations.model().linear())
-    equations.model().add_cubic_stiffness(equations.source_time(time),
-                                          ConstVectorView(state.data(), equations.model().size()),
-                                          stiffness);
-  system.assemble(equations, stiffness);
+  const model::Model &model = equations.model();
+  Matrix stiffness = model.stiffness().dense();
+  Matrix damping = model.damping().dense();
+  if (!model.linear()) {
+    model.add_cubic_stiffness(equations.source_time(time),
+                              ConstVectorView(state.data(), model.size()), stiffness);
+    model.add_run_up_damping(equations.source_time(time), damping);
+  }
+  system.assemble(equations, stiffness, damping);
   return system;
 }
 
-void LinearSystem::assemble(const Equations &equations, const Matrix &stiffness) {
+void LinearSystem::assemble(const Equations &equations, const Matrix &stiffness,
+                            const Matrix &damping) {
   const model::Model &model = equations.model();
   const Index n = model.size();
   const Index size = equations.layout().physical_size();
@@ -116,7 +121,7 @@ void LinearSystem::assemble(const Equations &equations, const Matrix &stiffness)
   matrix_ = Matrix::Zero(size, size);
   matrix_.block(0, n, n, n).setIdentity();
   matrix_.block(n, 0, n, n) = -(inverse_mass.asDiagonal() * stiffness);
-  matrix_.block(n, n, n, n) = -(inverse_mass.asDiagonal() * model.damping().dense());
+  matrix_.block(n, n, n, n) = -(inverse_mass.asDiagonal() * damping);
   constant_ = Vector::Zero(size);
   for (const model::Source &source : model.sources()) {
     const auto acceleration = [&](const Vector &load) {

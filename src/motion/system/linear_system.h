@@ -63,7 +63,7 @@ public:
 
 private:
   explicit LinearSystem(std::vector<contact::AffineLaw> laws) : laws_(std::move(laws)) {}
-  void assemble(const Equations &equations, const Matrix &stiffness);
+  void assemble(const Equations &equations, const Matrix &stiffness, const Matrix &damping);
   void add_contact(const Equations &equations, std::size_t contact);
   void follow_normal_force(const Equations &equations, std::size_t contact);
   void add_form(const Equations &equations, std::size_t contact, const contact::AffineForm &form,

@@ -108,9 +108,11 @@ private:
   LuFactors<Matrix> lu_;
 };
 
-double largest_row(const Matrix &symmetric, const Vector &mass) {
+// A bound of the norm, sqrt(|A|_1 |A|_inf).
+double largest_row(const Matrix &matrix, const Vector &mass) {
   const Vector root = mass.cwiseSqrt().cwiseInverse();
-  return (root.asDiagonal() * symmetric * root.asDiagonal()).cwiseAbs().rowwise().sum().maxCoeff();
+  const Matrix size = (root.asDiagonal() * matrix * root.asDiagonal()).cwiseAbs();
+  return std::sqrt(size.rowwise().sum().maxCoeff() * size.colwise().sum().maxCoeff());
 }
 
 // With M^(1/2) q as coordinates, eigenvalues z of linear bodies with contacts have
