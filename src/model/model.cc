@@ -87,6 +87,9 @@ void Model::change_damping(double share, double self_excitation) {
     body = std::make_shared<const ReducedBody>(std::move(changed));
   }
   add_body_damping();
+  for (std::size_t k = 0; k < spins_.size(); ++k) // gyroscopic forces are no losses
+    if (spins_[k].speed.constant())
+      damping_.add(spins_[k].speed.at(0) * gyroscopic(k));
   for (Connection &connection : connections_) {
     connection.damping *= share;
     damping_.add(connection.damping, connection.elongation.row);

@@ -71,6 +71,15 @@ double overhung_determinant(double lambda, double speed) {
          k12 * k12;
 }
 
+// Only they are in the damping matrix here.
+TEST(WhirlTest, GyroscopicForcesStayWhereDampingIsLeftOut) {
+  Model model = overhung_disc(60);
+  const Matrix gyroscopic = model.damping().dense();
+  model.change_damping(0, 0);
+  EXPECT_GT(gyroscopic.norm(), 0);
+  EXPECT_EQ(model.damping().dense(), gyroscopic);
+}
+
 TEST(WhirlTest, OverhungDiscOnShaftWithoutMass) {
   for (const double speed : {5.0, 60.0, -60.0}) {
     const Model model = overhung_disc(speed);
