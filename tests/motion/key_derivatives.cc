@@ -1,5 +1,6 @@
 // Derivatives of motions by keys: closed forms, and differences of the motions.
 #include "common/error.h"
+#include "contact/laws/crushable_table.h"
 #include "contact/laws/hunt_crossley.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
@@ -224,6 +225,19 @@ TEST(KeyDerivativesTest, StiffnessAndClearanceOfABumperWithItsOwnState) {
       .agrees_with_differences(6);
   Family{.make = [](double c) { return bumpers(300, c); }, .value = 0.03, .start = start, .end = 3}
       .agrees_with_differences(6);
+}
+
+TEST(KeyDerivativesTest, ForceOfATableThatCrushes) {
+  const auto crushed = [](double force) {
+    Parts parts{Model({single_mass("block", 1, 40, 0.5)})};
+    parts.model.add_base_motion("shake", force_of(0.05, 7), {0}, Vector3::UnitX());
+    const contact::CrushCurves curves({{0, 0.01, 0.1}, {0, force, 3 * force}}, {}, 2000);
+    parts.contacts = ContactSet({stop_on_base(parts.model, "block.head", 0.03,
+                                              std::make_shared<contact::CrushableTable>(curves))});
+    return parts;
+  };
+  const MotionState start{.time = 0.3, .physical = vector_of({-0.1, 0.5, 0})};
+  Family{.make = crushed, .value = 8, .start = start, .end = 3}.agrees_with_differences(6);
 }
 
 // The force begins with a jump, on a stop that stands still while the base moves.
