@@ -1,7 +1,7 @@
 """Sketches of masses that turn, or that a random force drives, for draw-sketches.py."""
 import math
 
-from sketch_shapes import CONTACT, MOTION, Sketch
+from sketch_shapes import CONTACT, INK, MOTION, Sketch
 
 STEPS = 10  # of an arc
 
@@ -86,6 +86,27 @@ def random_stop():
     return sketch
 
 
+def crushable_stop():
+    sketch = Sketch("A mass on a spring with a stop that crushes; beside it the force of the stop over the penetration: a curve, and lines of unloading")
+    sketch.ground((30, 40), (30, 140))
+    sketch.spring((30, 90), (130, 90), "k", side=-1)
+    sketch.mass((180, 90), 100, 76, "m")
+    sketch.arrow((160, 30), (210, 30))
+    sketch.symbol((150, 34), "F(t)", colour=MOTION, anchor="end")
+    sketch.stop((330, 90), (280, 90), 22, ("",))
+    sketch.ground((330, 140), (330, 40))
+    sketch.clearance((230, 140), (280, 140), "c", offset=12, side=1)
+    sketch.arrow((390, 150), (390, 30), colour=INK)
+    sketch.arrow((380, 140), (590, 140), colour=INK)
+    sketch.symbol((404, 40), "F", anchor="start")
+    sketch.symbol((588, 160), "u")
+    sketch.path([(390, 140), (415, 90), (500, 78), (570, 40)], colour=CONTACT, width=3)
+    sketch.line((500, 78), (480, 140), colour=CONTACT, dashes="5 4")
+    sketch.symbol((480, 160), "p")
+    sketch.symbol((512, 112), "K", colour=CONTACT, anchor="start")
+    return sketch
+
+
 def overhung_rotor():
     sketch = Sketch("A shaft in two bearings with a disc behind the second one, which turns with an unbalance in a ring with clearance")
     for place in (80, 330):
@@ -104,4 +125,4 @@ def overhung_rotor():
     return sketch
 
 
-SKETCHES = {"random-stop": random_stop, "gear-rattle": gear_rattle, "spinning-disc": spinning_disc, "overhung-rotor": overhung_rotor}
+SKETCHES = {"random-stop": random_stop, "crushable-stop": crushable_stop, "gear-rattle": gear_rattle, "spinning-disc": spinning_disc, "overhung-rotor": overhung_rotor}

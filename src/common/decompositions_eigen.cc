@@ -10,6 +10,17 @@
 
 namespace vibroimpact {
 
+namespace {
+
+bool strictly_upper(const Matrix &a) {
+  for (Index j = 0; j < a.cols(); ++j)
+    if (!a.col(j).tail(a.rows() - j).isZero(0))
+      return false;
+  return true;
+}
+
+} // namespace
+
 SingularValues singular_values(const Matrix &a) {
   const Eigen::JacobiSVD<Matrix> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
@@ -65,6 +76,17 @@ std::optional<Matrix> cholesky(const Matrix &a) {
   return Matrix(factors.matrixL());
 }
 
-Matrix exponential(const Matrix &a) { return a.exp(); }
+// Of a strictly triangular matrix, as polynomials have, Taylor's series ends and is exact.
+Matrix exponential(const Matrix &a) {
+  if (!strictly_upper(a))
+    return a.exp();
+  Matrix sum = Matrix::Identity(a.rows(), a.cols());
+  Matrix term = sum;
+  for (Index k = 1; k < a.rows(); ++k) {
+    term = term.lazyProduct(a).eval() / static_cast<double>(k);
+    sum += term;
+  }
+  return sum;
+}
 
 } // namespace vibroimpact

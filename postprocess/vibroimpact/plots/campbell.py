@@ -28,11 +28,11 @@ def diagram(analysis: Analysis):
     for mode in range(len(read["frequency"])):
         draw_mode(panels, mode, speed, read, damped)
     draw_multiples(panels[0], analysis, speed, read["frequency"])
-    panels[0].set_ylabel("Frequency in Hz")
+    panels[0].set_ylabel("Frequency (Hz)")
     panels[0].set_ylim(bottom=0)
     if damped:
-        panels[1].set_ylabel("Damping ratio in %")
-    panels[-1].set_xlabel("Speed in rpm")
+        panels[1].set_ylabel("Damping ratio (%)")
+    panels[-1].set_xlabel("Speed (rpm)")
     draw_key(panels[0], read["whirl"])
     return figure
 

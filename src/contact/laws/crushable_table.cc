@@ -31,10 +31,7 @@ public:
   explicit Modes(const CrushCurves &curves) : curves_(curves) {}
 
   std::vector<Mode> make() const {
-    const Guard touch{.indicator = {.gap = 1},
-                      .target = place(0, curves_.yields_later() ? elastic : loading),
-                      .reset = {constant(0)}};
-    std::vector<Mode> modes = {with("untouched", {}, {touch})};
+    std::vector<Mode> modes = {with("untouched", {}, {touch()})};
     for (std::size_t i = 0; i < curves_.intervals().size(); ++i)
       for (int stage = 0; stage < n_stages; ++stage) {
         modes.push_back(make(i, static_cast<Stage>(stage)));
@@ -44,6 +41,11 @@ public:
   }
 
 private:
+  Guard touch() const {
+    return {.indicator = {.gap = 1},
+            .target = place(0, curves_.yields_later() ? elastic : loading),
+            .reset = {constant(0)}};
+  }
   const CrushInterval &at(std::size_t i) const { return curves_.intervals()[i]; }
   bool last(std::size_t i) const { return i + 1 == curves_.intervals().size(); }
   bool comes_back(std::size_t i) const { return !at(i).unloading.no_force(); }
