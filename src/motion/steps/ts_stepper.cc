@@ -117,7 +117,7 @@ void TsStepper::set_method(const std::string &method, int order) {
   check_petsc(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER), "TSSetExactFinalTime");
   check_petsc(TSSetMaxSteps(ts_, std::numeric_limits<PetscInt>::max() - 1), "TSSetMaxSteps");
   check_petsc(TSSetMaxTime(ts_, std::numeric_limits<double>::max() / 4), "TSSetMaxTime");
-  check_petsc(TSSetMaxStepRejections(ts_, 100), "TSSetMaxStepRejections");
+  check_petsc(TSSetMaxStepRejections(ts_, 30), "TSSetMaxStepRejections");
   check_petsc(TSSetMaxSNESFailures(ts_, -1), "TSSetMaxSNESFailures");
   check_petsc(TSSetErrorIfStepFails(ts_, PETSC_FALSE), "TSSetErrorIfStepFails");
   SNES snes = nullptr;
@@ -214,7 +214,7 @@ void TsStepper::attempt(double end) {
 // start with the length that was accepted.
 void TsStepper::take(double end) {
   const QuietErrors quiet;
-  constexpr int most_attempts = 20; // each is shorter by a good part
+  constexpr int most_attempts = 5; // the first one finds the length
   long rejected = rejected_steps();
   attempt(end);
   for (int i = 1; rejected_steps() > rejected; ++i) {
