@@ -3,6 +3,8 @@
 #include "model/piecewise_function.h"
 #include "model/turning_component.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 #include <numbers>

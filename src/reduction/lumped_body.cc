@@ -2,6 +2,8 @@
 
 #include "structure/beam_spin.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

@@ -83,10 +83,10 @@ class Crushing:
 
 
 def check_crush(table, crush):
-    times = crush["time"][:]
+    times = crush["recorded/history/history_time"][:]
     displacement, residual = Crushing().motion(times)
-    found = crush["point/machine.block/displacement_x"][:]
-    left = crush["contact/barrier/internal/residual_penetration"][:]
+    found = crush["recorded/history/point/machine.block/displacement_x"][:]
+    left = crush["recorded/history/contact/barrier/internal/residual_penetration"][:]
     table.add_curve("displacement over the largest", abs(found - displacement) / abs(displacement).max(), 1e-9)
     table.add_curve("residual penetration over the last", abs(left - residual) / residual[-1], 1e-9)
     table.add("residual penetration at the end [mm]", 1e3 * residual[-1], 1e3 * left[-1], 1e-9)
