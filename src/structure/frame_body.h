@@ -34,7 +34,7 @@ void add_frame_elements(BodyModel &model, const BeamDefinition &definition,
 Vector3 offset_of(const Member &member, const ElementFrame &frame);
 
 /// Throws DefinitionError for a line under an axial force that is part of a rigid body: what it
-/// does there is not worked out.
+/// does there is not part of the program.
 void check_rigid_lines(const BodyModel &model, const BeamDefinition &definition,
                        const std::vector<int> &members);
 

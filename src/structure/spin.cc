@@ -209,9 +209,10 @@ void add_spin(BodyModel &model, const BeamDefinition &definition, const FrameLin
   require_all(spin.members, names_of_members(definition), "Members");
   require_all(spin.points, points, "Points");
   if (spin.rotating_frame && !model.rigid.empty())
-    throw DefinitionError("Spin axis", "", "Frame",
-                          "must be fixed for a body with a Rigid link: what centrifugal forces do "
-                          "on its arms is not worked out");
+    throw DefinitionError(
+        "Spin axis", "", "Frame",
+        "must be fixed for a body with a Rigid link, whose arms have no centrifugal "
+        "forces here");
   add_lines(model, definition, lines);
   for (const Point &point : definition.points) {
     if (!named_or_all(spin.points, point.name))

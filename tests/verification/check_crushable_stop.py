@@ -87,9 +87,9 @@ def check_crush(table, crush):
     displacement, residual = Crushing().motion(times)
     found = crush["recorded/history/point/machine.block/displacement_x"][:]
     left = crush["recorded/history/contact/barrier/internal/residual_penetration"][:]
-    table.add_curve("displacement over the largest", abs(found - displacement) / abs(displacement).max(), 1e-9)
-    table.add_curve("residual penetration over the last", abs(left - residual) / residual[-1], 1e-9)
-    table.add("residual penetration at the end [mm]", 1e3 * residual[-1], 1e3 * left[-1], 1e-9)
+    table.add_curve("displacement over the largest", abs(found - displacement) / abs(displacement).max(), 1e-10)
+    table.add_curve("residual penetration over the last", abs(left - residual) / residual[-1], 1e-10)
+    table.add("residual penetration at the end [mm]", 1e3 * residual[-1], 1e3 * left[-1], 1e-12)
 
 
 def area_between(top):
@@ -109,9 +109,9 @@ def check_pad(table, pad):
     top = pad["contact/cushion/penetration/maximum"][()]
     impacts = pad["contact/cushion/impacts"][()]
     table.add("pad: energy of an impact, area between the curves [J]", area_between(top),
-              pad["contact/cushion/dissipated_energy"][()] / impacts, 1e-9)
+              pad["contact/cushion/dissipated_energy"][()] / impacts, 1e-10)
     table.add("pad: largest force at that penetration [N]", numpy.interp(top, *PAD),
-              pad["contact/cushion/normal_force/maximum"][()], 1e-9)
+              pad["contact/cushion/normal_force/maximum"][()], 1e-13)
 
 
 def check(table):

@@ -111,7 +111,7 @@ def check_backbone(table, mode, frequencies, tip):
     top = scipy.optimize.minimize_scalar(lambda change: -balance.at(energy * (1 + change))[0], bounds=(-0.01, 0.01), method="bounded",
                                          options={"xatol": 1e-7})
     table.add("internal resonance: largest frequency [Hz]", -top.fun / (2 * numpy.pi), frequency, 1e-10)
-    table.add("its energy [mJ]", 1e3 * energy * (1 + top.x), 1e3 * energy, 1e-5)
+    table.add("its energy [mJ]", 1e3 * energy * (1 + top.x), 1e3 * energy, 1e-6)
 
 
 def check_impacts(table, mode, frequencies, tip):

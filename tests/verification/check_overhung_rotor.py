@@ -90,8 +90,8 @@ def check_diagram(table, diagram):
             errors.append(found / abs(nearest.imag) - 1)
             of_damping.append(damping[mode, k] + nearest.real / abs(nearest))
             directions.append(k == 0 or numpy.sign(nearest.imag) * whirl[mode, k] > 1 - 1e-9)
-    table.add_curve("Campbell diagram: frequencies, relative", numpy.array(errors), 1e-8)
-    table.add_curve("damping ratios", numpy.array(of_damping), 1e-8)
+    table.add_curve("Campbell diagram: frequencies, relative", numpy.array(errors), 1e-10)
+    table.add_curve("damping ratios", numpy.array(of_damping), 1e-12)
     table.add_whole("whirls in their direction, in circles", [len(directions)], [sum(directions)])
 
 
@@ -103,7 +103,7 @@ def check_critical(table, diagram):
     for found, factor, direction in zip(speed, multiple, whirl):
         values = numpy.linalg.eigvals(generator(squared, gyroscopic, found))
         errors.append(min(abs(values.imag - numpy.sign(direction) * factor * found)) / found)
-    table.add_curve("critical speeds: frequency less multiple of the speed, relative", numpy.array(errors), 1e-8)
+    table.add_curve("critical speeds: frequency less multiple of the speed, relative", numpy.array(errors), 1e-10)
     table.add_whole("critical speeds on the line of the speed", [3], [int((multiple == 1).sum())])
     forward = speed[(multiple == 1) & (whirl > 0)]
     table.add("first forward critical speed [rpm], whole shaft without damping", overhung().critical(1, 1)[0] / PER_MINUTE,
@@ -128,10 +128,10 @@ def check_run_up(table, run_up):
     largest = abs(motion).max()
     for axis, part in (("y", motion.real), ("z", motion.imag)):
         table.add_curve(f"run-up: displacement {axis} over the largest",
-                        (run_up[f"point/rotor.disc/displacement_{axis}"][:] - part) / largest, 1e-6)
+                        (run_up[f"point/rotor.disc/displacement_{axis}"][:] - part) / largest, 1e-9)
     table.add("run-up: largest deflection [mm]", 1e3 * largest,
-              1e3 * numpy.hypot(*(run_up[f"point/rotor.disc/displacement_{axis}"][:] for axis in "yz")).max(), 1e-6)
-    table.add("run-up: residual of the energy balance", 0, run_up["energy_residual"][()], 1e-9, absolute=True)
+              1e3 * numpy.hypot(*(run_up[f"point/rotor.disc/displacement_{axis}"][:] for axis in "yz")).max(), 1e-10)
+    table.add("run-up: residual of the energy balance", 0, run_up["energy_residual"][()], 1e-13, absolute=True)
 
 
 def check_rub(table, rub, clearance, stator, friction):
@@ -148,9 +148,9 @@ def check_rub(table, rub, clearance, stator, friction):
     radius = scipy.optimize.brentq(excess, 0, 10 * free, xtol=1e-15)
     found = rub
     table.add("rub: radius of the orbit [mm]", 1e3 * radius,
-              1e3 * found["point/rotor.disc/displacement_y/amplitude"][()], 1e-6)
+              1e3 * found["point/rotor.disc/displacement_y/amplitude"][()], 1e-9)
     table.add("rub: normal force [N]", stator * (radius - clearance),
-              found["contact/ring/normal_force/maximum"][()], 1e-6)
+              found["contact/ring/normal_force/maximum"][()], 1e-9)
 
 
 def nelson():
@@ -175,7 +175,7 @@ def check_nelson(table):
         expected = nelson().critical(direction, 3) / PER_MINUTE
         values = numpy.sort(speed[whirl * direction > 0.5])[:3] / PER_MINUTE
         for j in range(3):
-            table.add(f"Nelson and McVaugh: {name} whirl {j + 1} [rpm]", expected[j], values[j], 1e-6, paper[direction][j])
+            table.add(f"Nelson and McVaugh: {name} whirl {j + 1} [rpm]", expected[j], values[j], 1e-8, paper[direction][j])
 
 
 def check(table):

@@ -70,15 +70,12 @@ FrictionRecorder::FrictionRecorder(const FrictionSettings &settings, const Syste
 
 void FrictionRecorder::declare(parameters::Section &analysis) {
   using namespace parameters;
-  analysis.subsection(friction_section, "The recorder of friction.")
-      .integer("Sectors", "0", Range{.lower = 0, .upper = 3600}, "",
-               "Equal sectors of the circumference of each circular gap with friction, along which "
-               "work rate and energy are given. The middle of the first lies along Direction, the "
-               "others follow about Axis. 0: none.")
-      .integer("Blocks", "10", Range{.lower = 2, .upper = 1e6}, "",
-               "Equal parts of the recorded window, of whole forcing periods, whose means give the "
-               "standard errors of the work rates; each should be longer than the motion "
-               "remembers. With fewer periods there are as many as periods.");
+  Section &section = analysis.subsection(friction_section, "The recorder of friction.");
+  section.integer("Sectors", "0", Range{.lower = 0, .upper = 3600}, "",
+                  "Equal sectors of the circumference of each circular gap with friction, along "
+                  "which work rate and energy are given. The middle of the first lies along "
+                  "Direction, the others follow about Axis. 0: none.");
+  WindowBlocks::declare(section, "the standard errors of the work rates");
 }
 
 RecorderFactory FrictionRecorder::create(const parameters::Values &analysis) {

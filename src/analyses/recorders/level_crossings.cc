@@ -79,11 +79,8 @@ void LevelCrossings::declare(parameters::Section &analysis) {
               "connections the elongation and its derivatives.")
       .quantities("Levels", "", dimension::any, range::any, "",
                   "Increasing, in the unit of the quantity.", 1, 1000)
-      .required()
-      .integer("Blocks", "10", Range{.lower = 2, .upper = 1e6}, "",
-               "Equal parts of the recorded window, of whole forcing periods, whose means give the "
-               "standard errors; each should be longer than the motion remembers. With fewer "
-               "periods there are as many as periods.");
+      .required();
+  WindowBlocks::declare(section, "the standard errors");
 }
 
 RecorderFactory LevelCrossings::create(const parameters::Values &analysis) {

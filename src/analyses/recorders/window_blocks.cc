@@ -6,6 +6,14 @@
 
 namespace vibroimpact::analyses {
 
+void WindowBlocks::declare(parameters::Section &section, const std::string &errors) {
+  section.integer(
+      "Blocks", "10", parameters::Range{.lower = 2, .upper = 1e6}, "",
+      "Equal parts of the recorded window, of whole forcing periods, whose means give " + errors +
+          "; each should be longer than the motion remembers. With fewer periods there "
+          "are as many as periods.");
+}
+
 void WindowBlocks::begin(const Window &window, long blocks, Vector totals) {
   window_ = window;
   blocks_ = blocks;

@@ -9,6 +9,9 @@ namespace vibroimpact::analyses {
 
 class WindowBlocks {
 public:
+  /// Declares the key Blocks; `errors`: of what, "the standard errors of the work rates".
+  static void declare(parameters::Section &section, const std::string &errors);
+
   /// The window is divided into `blocks` parts; forgets the one before.
   void begin(const Window &window, long blocks, Vector totals);
   /// Of a window without periods: a block ends with the part of the motion in which its end lies.
