@@ -90,8 +90,8 @@ class Contacts(unittest.TestCase):
 class LogarithmicAxes(unittest.TestCase):
     def test_a_narrow_axis_has_more_than_one_label(self):
         self.addCleanup(plt.close, "all")
-        for ends, wanted in (((0.17, 1.7), ["2\\cdot10^{-1}", "5\\cdot10^{-1}"]), ((0.17, 17), []),
-                             ((0.6, 6), ["2\\cdot10^{0}", "5\\cdot10^{0}"])):
+        for ends, wanted in (((0.17, 1.7), ["0.2", "0.5"]), ((0.17, 17), []), ((0.6, 6), ["2", "5"]),
+                             ((6e-5, 6e-4), ["2\\cdot10^{-4}", "5\\cdot10^{-4}"])):
             axes = plt.figure().subplots()
             axes.set(yscale="log", ylim=ends)
             style.label_between_decades(axes.yaxis)
@@ -99,6 +99,10 @@ class LogarithmicAxes(unittest.TestCase):
             found = [tick.label1.get_text().strip("$") for tick in axes.yaxis.get_minor_ticks()
                      if ends[0] <= tick.get_loc() <= ends[1]]
             self.assertEqual([text for text in found if text], wanted, ends)
+            powers = [tick.label1.get_text().strip("$") for tick in axes.yaxis.get_major_ticks()
+                      if ends[0] <= tick.get_loc() <= ends[1]]
+            self.assertEqual(powers, {0.17: ["1"], 0.6: ["1"], 6e-5: ["10^{-4}"]}[ends[0]] if wanted
+                             else ["10^{0}", "10^{1}"], ends)
 
 
 class Stresses(unittest.TestCase):

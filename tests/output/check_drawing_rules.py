@@ -25,14 +25,15 @@ from plot_examples import write_all  # noqa: E402
 class Names(unittest.TestCase):
     def test_stay_as_the_user_wrote_them(self):
         for path, shown in (("Variables/fm", "fm"), ("Variables/cd", "cd"), ("Contact/heads/Clearance", "Clearance"),
-                            ("Variables/lambda", r"$\lambda$"), ("Variables/m2", "$m_{2}$")):
+                            ("Variables/lambda", r"$\lambda$"), ("Variables/m2", "$m_{2}$"), ("Variables/k_t", "k_t"),
+                            ("Variables/slip_load", "slip load")):
             self.assertEqual(labels.key_label(path), shown)
         self.assertEqual(labels.own_name("peak_force"), "peak force")
 
     def test_prefixes_of_compound_units(self):
         for unit, value, shown in (("N s/m", 6e5, "kN s/m"), ("N/m", 2e3, "kN/m"), ("m", 2e-3, "mm"),
                                    ("m/s^2", 2e3, "m/s²"), ("m^2", 1e-6, "m$^{2}$"), ("kg", 1e-3, "kg"),
-                                   ("Hz", 2e3, "Hz"), ("N s", 2e-3, "mN s")):
+                                   ("Hz", 2e3, "Hz"), ("N s", 2e-3, "mN s"), ("um", 1.0, "µm"), ("N/um", 1.0, "N/µm")):
             with self.subTest(unit):
                 self.assertEqual(labels.scale_for(unit, [value]).unit, shown)
 

@@ -51,7 +51,8 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def typeset(unit: str) -> str:
-    """Powers above the line."""
+    """Powers above the line, and a micro sign."""
+    unit = re.sub(r"(?<![A-Za-z])u(?=(m|s|N|J|W|Pa|g|rad)(?![A-Za-z]))", "µ", unit)
     return TYPESET.get(unit) or re.sub(r"\^\(?(-?[\d.]+)\)?", r"$^{\1}$", unit)
 
 
@@ -93,14 +94,14 @@ GREEK = {"alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "
 
 
 def key_label(path: str) -> str:
-    """Name of a key as it was written: "Clearance" of Contact/heads/Clearance, "fm" of Variables/fm; symbols
-    of one letter are typeset."""
+    """Name of a key as it was written: "Clearance" of Contact/heads/Clearance, "fm" of Variables/fm, "slip load" of
+    Variables/slip_load; symbols of one letter are typeset."""
     name = path.rsplit("/", 1)[-1]
     match = re.fullmatch(r"([A-Za-z]+?)_?(\d*)", name)
     if match and (match[1] in GREEK or len(match[1]) == 1):
         stem = "\\" + match[1] if match[1] in GREEK else match[1]
         return f"${stem}_{{{match[2]}}}$" if match[2] else f"${stem}$"
-    return name
+    return own_name(name) if min(map(len, name.split("_"))) > 2 else name
 
 
 def own_name(name: str) -> str:

@@ -141,13 +141,21 @@ def is_logarithmic(values) -> bool:
 
 
 def label_between_decades(axis) -> None:
-    """Labels at 2 and 5 of each decade of a logarithmic axis where fewer than two powers of ten are in view."""
-    def text(value: float, _) -> str:
+    """Labels at 2 and 5 of each decade of a logarithmic axis where fewer than two powers of ten are in view; numbers of
+    common size are then written out."""
+    def few() -> bool:
         low, high = np.log10(np.sort(axis.get_view_interval()))
+        return np.floor(high) - np.ceil(low) < 1
+
+    def text(value: float, _) -> str:
         power = np.floor(np.log10(value) + 1e-9)
         digit = round(value / 10**power)
-        few = np.floor(high) - np.ceil(low) < 1
-        return rf"${digit}\cdot10^{{{power:.0f}}}$" if few and digit in (2, 5) else ""
+        if few() and abs(power) < 3:
+            return f"{value:g}" if digit in (1, 2, 5) else ""
+        if digit == 1:
+            return rf"$10^{{{power:.0f}}}$"
+        return rf"${digit}\cdot10^{{{power:.0f}}}$" if few() and digit in (2, 5) else ""
+    axis.set_major_formatter(FuncFormatter(text))
     axis.set_minor_formatter(FuncFormatter(text))
 
 
