@@ -45,6 +45,20 @@ class Contacts(unittest.TestCase):
             self.assertGreaterEqual(longest[True], samples)
             self.assertLess(longest[False], samples)
 
+    def test_a_contact_that_is_never_reached_has_no_force_to_show(self):
+        with tempfile.TemporaryDirectory() as folder:
+            writer = Writer(Path(folder))
+            writer.analysis("run", "transient", [])
+            writer.scale("time", np.arange(5.0), "s")
+            for quantity, unit, value in (("normal_force", "N", 0.0), ("gap", "m", 1e-3)):
+                writer.field(f"contact/stop/{quantity}", np.full(5, value), unit, ["time"])
+            writer.file.close()
+            with Results(Path(folder)) as results:
+                figure = transient.contact_history(results.analysis("run"), "stop")
+        self.assertEqual([axes.get_ylabel() for axes in figure.axes], ["Gap (mm)"])
+        self.assertEqual(figure.axes[0].get_title(), "Contact stop, never reached")
+        self.assertIsNone(figure.axes[0].get_legend())
+
     def test_a_case_with_fewer_impacts_than_another_has_as_many_stems(self):
         times = np.array([[0.1, 0.2, 0.3], [0.1, np.nan, np.nan]])
         with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():

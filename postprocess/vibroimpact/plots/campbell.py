@@ -72,7 +72,7 @@ def draw_multiples(axes, analysis: Analysis, speed, frequency) -> None:
         line = multiple * np.abs(speed) / 60
         axes.plot(speed, np.where(line <= top, line, np.nan), color="0.6", linewidth=0.8)
         end = np.flatnonzero(line <= top)[-1]
-        axes.annotate(f"{multiple:g} x", (speed[end], line[end]), color="0.4", fontsize="small",
+        axes.annotate(f"{multiple:g} ×", (speed[end], line[end]), color="0.4", fontsize="small",
                       ha="right", va="bottom")
     axes.plot(at["speed"] * PER_MINUTE, at["frequency"], "o", color="black", fillstyle="none")
 

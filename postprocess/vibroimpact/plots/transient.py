@@ -139,13 +139,17 @@ def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks
 
 
 def contact_history(analysis: Analysis, contact: str):
-    rows = [(f"contact/{contact}/normal_force", "Contact force")]
+    """Force and gap; of a contact that is never reached the gap alone."""
+    force, gap = f"contact/{contact}/normal_force", f"contact/{contact}/gap"
+    if analysis.has(gap) and not np.any(np.nan_to_num(analysis.read(force).values)) and not has_impacts(analysis, contact):
+        return histories(analysis, [(gap, "Gap")], f"Contact {contact}, never reached")
+    rows = [(force, "Contact force")]
     peaks = impact_peaks(analysis, contact)
     many = peaks is not None and max(
         np.count_nonzero(np.isfinite(of_case(peaks[0], analysis, case.index)))
         for case in cases(analysis)) > MOST_STEMS  # their gap would be a block
-    if analysis.has(f"contact/{contact}/gap") and not many:
-        rows.append((f"contact/{contact}/gap", "Gap"))
+    if analysis.has(gap) and not many:
+        rows.append((gap, "Gap"))
     figure = histories(analysis, rows, f"Contact {contact}", peaks)
     draw_pulses(figure.axes[0], analysis, contact)
     return figure
@@ -162,6 +166,11 @@ def draw_pulses(axes, analysis: Analysis, contact: str) -> None:
         time, samples, _ = pulses(analysis, contact, case.index)
         if np.isfinite(time).any():
             axes.plot(time / time_scale.factor, samples / scale.factor, color=case.colour)
+
+
+def has_impacts(analysis: Analysis, contact: str) -> bool:
+    peaks = impact_peaks(analysis, contact)
+    return peaks is not None and bool(np.isfinite(peaks[0].values).any())
 
 
 def impact_peaks(analysis: Analysis, contact: str):
