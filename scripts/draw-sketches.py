@@ -34,16 +34,16 @@ def cantilever(sketch, foot, height, symbol, lean):
 
 def impacting_beams():
     sketch = Sketch("Two upright cantilevers with round heads, a clearance between the heads; the ground under the "
-                    "right one shakes")
+                    "left one shakes")
     left, right, base = 100, 170, 250
     for x, lean in ((left, -62), (right, 62)):
         cantilever(sketch, (x, base), 190, "m", lean)
         sketch.ground((x - 30, base), (x + 30, base))
     sketch.clearance((left + 22, 60), (right - 22, 60), "Δ", offset=-52, side=-1)
-    sketch.symbol((left - 14, 165), "EI, ρA", anchor="end")
+    sketch.symbol((left - 26, 172), "EI, ρA", anchor="end")
     sketch.clearance((right + 78, base), (right + 78, 60), "L", side=1)
-    sketch.arrow((right - 25, base + 26), (right + 25, base + 26), both=True)
-    sketch.symbol((right, base + 44), "x_0(t)", colour=MOTION)
+    sketch.arrow((left - 25, base + 26), (left + 25, base + 26), both=True)
+    sketch.symbol((left, base + 44), "x_0(t)", colour=MOTION)
     sketch.line((left + 22, 60), (left + 22, 52), width=0.7)
     sketch.symbol(((left + right) / 2, 88), "k, μ", colour=CONTACT)
     return sketch
