@@ -120,8 +120,12 @@ bool in_list(const std::string &name, const std::vector<std::string> &list) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-std::string other_side(Draw &draw, const std::string &one, const std::vector<std::string> &points) {
+// Rigid sides must not overlap at the start, where a base may be away from stops.
+std::string other_side(Draw &draw, const std::string &one, const std::vector<std::string> &points,
+                       bool rigid = false) {
   std::vector<std::string> others = {"stop", "stop", "base"};
+  if (rigid)
+    others = {"base", "base"};
   for (const std::string &point : points)
     if (point != one)
       others.push_back(point);
@@ -204,7 +208,7 @@ RandomContacts random_rings(Draw &draw, const RandomBodies &bodies, bool rigid) 
   const std::size_t n = draw.of({1, 1, 1, 2});
   for (std::size_t j = 0; j < n; ++j) {
     const std::string a = draw.of(bodies.points);
-    const std::string b = other_side(draw, a, bodies.points);
+    const std::string b = other_side(draw, a, bodies.points, rigid);
     const double gap = draw.chance(0.75) ? draw.power(-4, -1) : draw.power(-2, -1);
     contacts.text += subsection("Contact r" + std::to_string(j),
                                 set("Between", a + ", " + b) + around(draw, gap, rigid));
