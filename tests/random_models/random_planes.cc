@@ -212,7 +212,8 @@ RandomContacts random_rings(Draw &draw, const RandomBodies &bodies, bool rigid) 
     const double gap = draw.chance(0.75) ? draw.power(-4, -1) : draw.power(-2, -1);
     contacts.text += subsection("Contact r" + std::to_string(j),
                                 set("Between", a + ", " + b) + around(draw, gap, rigid));
-    if (b == "stop" || b == "base") {
+    const bool nearest = !rigid || contacts.stop.empty() || gap < contacts.onset;
+    if ((b == "stop" || b == "base") && nearest) {
       contacts.stop = a;
       contacts.onset = gap;
     }
