@@ -107,12 +107,22 @@ std::array<AffineForm, 2> CircularGap::force_gradient(const CircularFrame &frame
 }
 
 // With the turning w = t . u': d(n . u'') = -s (t . u'') (t . du) / r,
-// d(s w^2 / r) = 2 s w dw / r - s w^2 dr / r^2,  dw = t . du' + s g' (t . du) / r,  dr = -s n . du
+// d(s w^2 / r) = 2 s w dw / r - s w^2 dr / r^2,  dw = t . du' + s g' (t . du) / r,  dr = -s n . du.
+// Likewise d(t . u'') = s (n . u'') (t . du) / r,
+// d(s g' w / r) = s (w dg' + g' dw) / r - s g' w dr / r^2,  dg' = n . du' - s w (t . du) / r
 AffineForm CircularGap::acceleration_gradient(const CircularFrame &frame,
-                                              const AcrossAxis &acceleration) const {
+                                              const AcrossAxis &acceleration, int direction) const {
   const double bend = bend_of(sense_, frame);
   const double turning = bend * frame.turning; // s w / r
   AffineForm made;
+  if (direction > 0) {
+    const double sliding = bend * frame.gap_rate;
+    add(frame.tangent,
+        bend * dot(frame.normal, acceleration) - turning * turning + sliding * sliding, sliding,
+        made);
+    add(frame.normal, sliding * turning, turning, made);
+    return made;
+  }
   add(frame.tangent, -bend * (dot(frame.tangent, acceleration) + 2 * turning * frame.gap_rate),
       -2 * turning, made);
   add(frame.normal, -turning * turning, 0, made);

@@ -73,9 +73,9 @@ public:
   /// Of f.
   std::array<AffineForm, 2> force_gradient(const CircularFrame &frame,
                                            const LawResponse &response) const;
-  /// Of the second derivative of the gap, at constant u''.
-  AffineForm acceleration_gradient(const CircularFrame &frame,
-                                   const AcrossAxis &acceleration) const;
+  /// Of what acceleration() gives, at constant u''.
+  AffineForm acceleration_gradient(const CircularFrame &frame, const AcrossAxis &acceleration,
+                                   int direction) const;
 
 private:
   double sense_;

@@ -27,10 +27,9 @@ Vector3 read_axis(const Values &contact, const Vector3 &normal) {
 
 // What an approach from any side needs.
 void check_law(const Values &contact, const ContactLaw &law) {
-  if (law.rigid() || law.always_in_contact())
+  if (law.always_in_contact())
     contact.reject(gap_key, "Gap must be plane with Law = " + law.name() +
-                                ": in a circular gap the force must be finite, and none where the "
-                                "gap is open.");
+                                ": in a circular gap there is no force where the gap is open.");
 }
 
 void check_surroundings(const Values &contact, const model::Model &model) {
@@ -66,7 +65,7 @@ void declare_circular_gap(parameters::Section &contact) {
               "plane: the gap changes along Direction alone. circle: one side is a ring about the "
               "other, and Clearance is the radial one, c - |u| in every direction across Axis. "
               "beside: round sides next to each other along Direction, Clearance apart. Circular "
-              "gaps need a law with a finite force.")
+              "gaps need a law without a force where the gap is open.")
       .text("Axis", "",
             "Of a circular gap: the direction along which nothing changes, at a right angle to "
             "Direction.")

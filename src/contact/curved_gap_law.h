@@ -23,6 +23,10 @@ public:
   std::string objection(int mode, const LocalState &state) const override {
     return law_->objection(mode, state);
   }
+  double restitution(double approach_speed) const override {
+    return law_->restitution(approach_speed);
+  }
+  RestitutionHypothesis hypothesis() const override { return law_->hypothesis(); }
   /// Of a force in proportion to the penetration too, which is no affine form here.
   std::optional<ForcePulse> force_pulse(int mode) const override;
 

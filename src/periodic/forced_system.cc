@@ -50,6 +50,15 @@ void refuse_rotors(const model::Model &model) {
         "A periodic motion is looked for, but a Spin has a Run-up: its speed changes.");
 }
 
+void refuse_rigid_rings(const contact::ContactSet &contacts) {
+  for (const contact::ContactPair &pair : contacts.pairs())
+    if (pair.circle && pair.law->rigid())
+      throw InputError("A periodic motion is looked for, but the contact " + pair.name +
+                       " has rigid sides in a circular gap (Law = " + pair.law->name() +
+                       "): motions with it have no known derivative. Use a law with a finite "
+                       "force.");
+}
+
 bool is_constant(const model::TimeFunction &function) {
   return function.period() == 0 && function.highest_frequency() == 0 &&
          !std::isfinite(function.next_break(0)) && function.rate(0) == 0 &&
@@ -62,6 +71,7 @@ ForcedSystem::ForcedSystem(const model::Model &model, const contact::ContactSet 
                            const motion::Settings &settings, std::size_t source)
     : model_(model), contacts_(contacts), source_(source), trajectory_(model, contacts, settings) {
   refuse_rotors(model);
+  refuse_rigid_rings(contacts);
   if (const model::Source *other = source_without_period(model, period()))
     throw InputError("A periodic motion is looked for, but the excitation " + other->name +
                      " does not repeat itself after the period of " + model.sources()[source].name +
@@ -73,6 +83,7 @@ ForcedSystem::ForcedSystem(const model::Model &model, const contact::ContactSet 
     : model_(model), contacts_(contacts), free_(std::move(period)),
       trajectory_(model, contacts, settings) {
   refuse_rotors(model);
+  refuse_rigid_rings(contacts);
 }
 
 namespace {

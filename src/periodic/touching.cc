@@ -95,7 +95,7 @@ Vector Touching::jump() const {
 Vector Touching::impulse() const {
   const motion::StateLayout &layout = at_.equations().layout();
   Vector jump = Vector::Zero(layout.physical_size());
-  const RowVector row = at_.equations().normal_row(at_.contact(), at_.time(), at_.state());
+  const RowVector row = at_.equations().row_along(at_.contact(), 0, at_.time(), at_.state());
   const Matrix response = at_.equations().response_to(Matrix(row), at_.time(), at_.state());
   jump.segment(layout.velocity(), layout.n) = -dashpot() * response.col(0);
   const std::vector<contact::AffineForm> &reset = at_.guard().reset;

@@ -180,6 +180,36 @@ System bouncing(double tolerance) {
   return system;
 }
 
+// Each bounce in a rigid ring takes mu p (v + v') / 2 at one place, p = m (1 + e) into the impulse
+// along the normal, v and v' = v - mu (1 + e) into the speeds along the wall.
+TEST(FrictionRecorder, BouncesInARigidRing) {
+  const double e = 0.8, mu = 0.02, mass = 1.5, end = 12;
+  Model model({testing::isotropic("ball", mass, 0, 0)});
+  contact::ContactSet contacts({testing::ring_about_z(
+      model, "ball.head", "", 1, std::make_shared<contact::NewtonRestitution>(e),
+      std::make_shared<Coulomb>(mu, mu))});
+  System system = testing::system_of(std::move(model), std::move(contacts));
+  system.initial.displacement << 0.5, 0;
+  system.initial.velocity << 0.6, 0.8;
+  const PointResult result = recorded<FrictionRecorder>(system, Window{.start = 0, .end = end},
+                                                        FrictionSettings{.sectors = 5});
+  double along = 0.4, into = std::sqrt(0.84), time = into - 0.3;
+  double angle = std::atan2(0.8 * time, 0.5 + 0.6 * time);
+  std::vector<double> energy(5, 0.0);
+  while (time < end) {
+    const auto sector = static_cast<std::size_t>(std::lround(angle / (2 * pi / 5))) % 5;
+    const double slower = along - mu * (1 + e) * into;
+    energy[sector] += mu * mass * (1 + e) * into * (along + slower) / 2;
+    along = slower;
+    into *= e;
+    time += 2 * into / (into * into + along * along);
+    angle += 2 * std::atan2(into, along);
+  }
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_NEAR(sectors(result, "energy")[k], energy[k], 1e-12 * sum(energy)) << k;
+  expect_whole(result);
+}
+
 // Nine sectors are three times three; the errors follow the tolerance.
 TEST(FrictionRecorder, SectorsOfSectors) {
   const auto rates = [](double tolerance, long n) {

@@ -76,10 +76,11 @@ TEST_P(CircularGapTest, GradientsAgainstDifferences) {
     expect_gradient(force[k], [&](const RelativeMotion &motion) {
       return circle_.force(circle_.frame(motion), response_at(circle_, motion))[k];
     });
-  expect_gradient(circle_.acceleration_gradient(frame, acceleration),
-                  [&](const RelativeMotion &motion) {
-                    return circle_.acceleration(circle_.frame(motion), acceleration, 0);
-                  });
+  for (const int direction : {0, 1})
+    expect_gradient(circle_.acceleration_gradient(frame, acceleration, direction),
+                    [&](const RelativeMotion &motion) {
+                      return circle_.acceleration(circle_.frame(motion), acceleration, direction);
+                    });
 }
 
 TEST_P(CircularGapTest, AccelerationsAgainstDifferences) {

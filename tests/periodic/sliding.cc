@@ -108,6 +108,52 @@ TEST(SlidingTest, BorderWithALargerStaticCoefficient) {
   expect_graze(branch, GrazeKind::crossing_sliding, exact, 1e-12);
 }
 
+/// x'' + x = F(t) - f sign(x'), F = cos(b t) + q cos(3 b t), for motions that slip once each way
+/// and stick in between. Before the slip from x = -A at t_1 the force that holds the mass is F + A;
+/// it is largest at b t = pi. There it reaches f where F(t_1) = F(pi / b) too: with c = cos(b t_1),
+/// 4 q c^2 - 4 q c + 1 + q = 0. Then x + f until the stop at t_2 depends on t_1 alone, and x(t_2) =
+/// A = f - F(t_1).
+struct SlipBetweenSticks {
+  double b, q;
+  double force(double t) const { return std::cos(b * t) + q * std::cos(3 * b * t); }
+  double particular(double t) const {
+    return std::cos(b * t) / (1 - b * b) + q * std::cos(3 * b * t) / (1 - 9 * b * b);
+  }
+  double particular_rate(double t) const {
+    return -b * std::sin(b * t) / (1 - b * b) - 3 * b * q * std::sin(3 * b * t) / (1 - 9 * b * b);
+  }
+  /// The friction at which the mass just slips in the middle of a stick.
+  double border() const {
+    const double c = (1 - std::sqrt(1 - (1 + q) / q)) / 2;
+    const double start = (2 * pi - std::acos(c)) / b;
+    const double along = force(start) - particular(start), across = -particular_rate(start);
+    const auto speed = [&](double s) {
+      return particular_rate(start + s) - along * std::sin(s) + across * std::cos(s);
+    };
+    double low = 2, high = 6;
+    for (int i = 0; i < 100; ++i)
+      (speed((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
+    const double end = particular(start + low) + along * std::cos(low) + across * std::sin(low);
+    return (end + force(start)) / 2;
+  }
+};
+
+TEST(SlidingTest, SlipInTheMiddleOfAStick) {
+  const double b = 0.3, q = -0.35, exact = SlipBetweenSticks{b, q}.border();
+  EXPECT_NEAR(exact, 0.6833, 1e-3);
+  Family family([&](double friction) {
+    Oscillator model = testing::oscillator(1, 1, 0);
+    model.push(1, b, pi / 2);
+    model.push(q, 3 * b, pi / 2);
+    model.contacts = contact::ContactSet({testing::sliding_along_x(
+        model.model, "block.head", "", testing::coulomb(1, friction, friction))});
+    return model;
+  });
+  const Branch branch = along(family, 0.67, 0.5, 0.72);
+  EXPECT_EQ(branch.end, continuation::End::upper_bound) << branch.reason;
+  expect_graze(branch, GrazeKind::adding_sliding, exact, 1e-11);
+}
+
 // The border over the frequency.
 TEST(SlidingTest, BorderInTwoKeys) {
   Family family(Family::Make([](const Vector &keys) { return rubbing(keys[0], 1, keys[1]); }),

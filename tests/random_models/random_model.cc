@@ -41,7 +41,7 @@ RandomBodies bodies_of(Draw &draw, const ModelChoice &choice) {
 
 RandomContacts contacts_of(Draw &draw, const ModelChoice &choice, const RandomBodies &bodies) {
   if (choice.seed >= first_with_rings)
-    return random_rings(draw, bodies);
+    return random_rings(draw, bodies, choice.seed >= first_with_rigid_rings);
   if (choice.seed >= first_with_planar_friction)
     return random_planar_friction(draw, bodies);
   return choice.seed >= first_with_friction

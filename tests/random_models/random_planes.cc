@@ -86,14 +86,31 @@ std::string landing(Draw &draw, double gap, bool opposed) {
          along_two(draw, "y", law.damped);
 }
 
-// Coulomb's friction ends with a message where sides would stick.
-std::string along_the_ring(Draw &draw, bool damped) {
+Parting rigid_sides(Draw &draw) {
+  return {.text = set("Law", "newton restitution") +
+                  subsection("Newton restitution", set("Restitution coefficient",
+                                                       draw.chance(0.2) ? 1 : draw.uniform(0, 1)))};
+}
+
+std::string rigid_coulomb(Draw &draw) {
+  const double coefficient = draw.power(-2, 0);
+  return set("Law", "coulomb") +
+         subsection("Coulomb", set("Coefficient", coefficient) +
+                                   (draw.chance(0.3) ? set("Static coefficient",
+                                                           coefficient * draw.uniform(1, 2))
+                                                     : ""));
+}
+
+// Coulomb's friction ends with a message where sides would stick that are not rigid.
+std::string along_the_ring(Draw &draw, bool damped, bool rigid) {
   const double kind = draw.uniform(0, 1);
   if (kind < 0.3)
     return "";
   const std::string turning =
       draw.chance(0.5) ? set("Surface speed", draw.of({-1.0, 1.0}) * draw.power(-1, 0.5), "m/s")
                        : "";
+  if (rigid)
+    return subsection("Friction", turning + rigid_coulomb(draw));
   return subsection("Friction", turning + (kind < 0.75  ? planar_slider(draw, damped)
                                            : kind < 0.9 ? planar_coulomb(draw)
                                                         : viscous(draw)));
@@ -103,8 +120,12 @@ bool in_list(const std::string &name, const std::vector<std::string> &list) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-std::string other_side(Draw &draw, const std::string &one, const std::vector<std::string> &points) {
+// Rigid sides must not overlap at the start, where a base may be away from stops.
+std::string other_side(Draw &draw, const std::string &one, const std::vector<std::string> &points,
+                       bool rigid = false) {
   std::vector<std::string> others = {"stop", "stop", "base"};
+  if (rigid)
+    others = {"base", "base"};
   for (const std::string &point : points)
     if (point != one)
       others.push_back(point);
@@ -112,16 +133,16 @@ std::string other_side(Draw &draw, const std::string &one, const std::vector<std
 }
 
 // "beside" leaves the way open along y: the second side is then far, as seen from above.
-std::string around(Draw &draw, double gap) {
+std::string around(Draw &draw, double gap, bool rigid) {
   const bool beside = draw.chance(0.25);
-  const Parting law = penalty(draw, 5);
+  const Parting law = rigid ? rigid_sides(draw) : penalty(draw, 5);
   std::string content = set("Gap", beside ? "beside" : "circle") + set("Axis", "z") +
                         set("Direction", "x") + set("Clearance", gap, "m") +
                         set("Initial penetration", "accept") + law.text;
   content += beside             ? set("Radii", draw.power(-1, 0), "m")
              : draw.chance(0.3) ? set("Eccentricity", gap * draw.uniform(-0.9, 0.9), "m")
                                 : std::string();
-  return content + along_the_ring(draw, law.damped);
+  return content + along_the_ring(draw, law.damped, rigid);
 }
 
 } // namespace
@@ -182,16 +203,17 @@ RandomContacts random_planar_friction(Draw &draw, const RandomBodies &bodies) {
   return contacts;
 }
 
-RandomContacts random_rings(Draw &draw, const RandomBodies &bodies) {
+RandomContacts random_rings(Draw &draw, const RandomBodies &bodies, bool rigid) {
   RandomContacts contacts;
   const std::size_t n = draw.of({1, 1, 1, 2});
   for (std::size_t j = 0; j < n; ++j) {
     const std::string a = draw.of(bodies.points);
-    const std::string b = other_side(draw, a, bodies.points);
+    const std::string b = other_side(draw, a, bodies.points, rigid);
     const double gap = draw.chance(0.75) ? draw.power(-4, -1) : draw.power(-2, -1);
     contacts.text += subsection("Contact r" + std::to_string(j),
-                                set("Between", a + ", " + b) + around(draw, gap));
-    if (b == "stop" || b == "base") {
+                                set("Between", a + ", " + b) + around(draw, gap, rigid));
+    const bool nearest = !rigid || contacts.stop.empty() || gap < contacts.onset;
+    if ((b == "stop" || b == "base") && nearest) {
       contacts.stop = a;
       contacts.onset = gap;
     }

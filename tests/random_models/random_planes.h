@@ -11,7 +11,7 @@ RandomBodies random_planar_bodies(Draw &draw, double factor, bool in_space);
 /// Contacts with friction along two directions, whose sides part or are pressed on each other.
 RandomContacts random_planar_friction(Draw &draw, const RandomBodies &bodies);
 
-/// Rings about masses or masses beside each other, with friction or without.
-RandomContacts random_rings(Draw &draw, const RandomBodies &bodies);
+/// Rings about masses or masses beside each other, with friction or without. `rigid`: their sides.
+RandomContacts random_rings(Draw &draw, const RandomBodies &bodies, bool rigid);
 
 } // namespace vibroimpact::testing

@@ -145,7 +145,30 @@ void FrictionRecorder::period_end(long cycle, const motion::Trajectory &trajecto
     blocks_.end_block(trajectory.time(), wear(trajectory.state()));
 }
 
+// The first event of a collision stands for contacts that have lasted, where they are; others tell
+// their angle themselves.
+void FrictionRecorder::add_impact(const motion::ContactEvent &event) {
+  const auto lasts = [&](std::size_t contact, int mode) {
+    return contacts_.pairs()[contact].law->modes()[static_cast<std::size_t>(mode)].holds_gap;
+  };
+  for (Track &track : tracks_) {
+    if (!track.sectors)
+      continue;
+    const std::size_t c = track.contact;
+    const bool lasted = event.collision && lasts(c, event.collision->modes_before[c]);
+    if (!lasted && (event.contact != c || lasts(c, event.from)))
+      continue;
+    const Index place = contacts_.pairs()[c].sliding_place;
+    const Vector taken = *event.state - *event.before;
+    SectorWork &work = track.sectors->work;
+    work.add_impact(taken[layout_.friction_work(place)], taken[layout_.wear_work(place)],
+                    lasted ? work.last_angle() : event.angle);
+  }
+}
+
 void FrictionRecorder::event(const motion::ContactEvent &event) {
+  if (event.guard->action == contact::GuardAction::impact)
+    add_impact(event);
   const contact::ContactPair &pair = contacts_.pairs()[event.contact];
   if (pair.tangential.empty() || event.from == event.to)
     return;

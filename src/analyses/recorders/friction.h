@@ -64,6 +64,7 @@ private:
   };
   Vector wear(const Vector &state) const;
   void add_angles(const FieldWriter &result) const;
+  void add_impact(const motion::ContactEvent &event);
   void add_sectors(const Sectors &sectors, const Vector &errors, const FieldWriter &result) const;
 
   const contact::ContactSet &contacts_;

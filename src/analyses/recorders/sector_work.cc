@@ -116,8 +116,19 @@ SectorWork::Place SectorWork::place(const StepView &view) const {
   return place;
 }
 
+namespace {
+
+double angle_at(const std::array<Bernstein, 2> &curves, double tau) {
+  return std::atan2(curves[1](tau), curves[0](tau));
+}
+
+} // namespace
+
 Index SectorWork::sector(const Place &place, double tau) const {
-  const double angle = std::atan2(place.curves[1](tau), place.curves[0](tau));
+  return sector(angle_at(place.curves, tau));
+}
+
+Index SectorWork::sector(double angle) const {
   const double width = 2 * std::numbers::pi / static_cast<double>(sectors());
   const auto nearest = static_cast<Index>(std::floor(angle / width + 0.5));
   return (nearest + sectors()) % sectors();
@@ -155,11 +166,17 @@ void SectorWork::divide(const StepView &view, const Place &place, const RowVecto
   }
 }
 
+void SectorWork::add_impact(double energy, double wear, double angle) {
+  work_.row(sector(angle)) += RowVector{{energy, wear}};
+  last_angle_ = angle;
+}
+
 void SectorWork::add(const StepView &view) {
   const RowVector work = work_of(view, contact_);
   if (work.isZero(0))
     return;
   const Place place = this->place(view);
+  last_angle_ = angle_at(place.curves, 1);
   const Index middle = sector(place, 0.5);
   if (within(place, middle))
     work_.row(middle) += work;

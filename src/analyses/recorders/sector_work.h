@@ -8,7 +8,8 @@
 //   cos phi_k w_2 - sin phi_k w_1,
 //
 // a polynomial along a step. What a step adds to the integrals of the state belongs to the sectors
-// in which the contact is between these zeros, so that the sectors together have all of it.
+// in which the contact is between these zeros, so that the sectors together have all of it. An
+// impact of rigid sides takes its work at one place.
 #pragma once
 
 #include "motion/interval/step_view.h"
@@ -26,6 +27,10 @@ public:
 
   void clear() { work_.setZero(); }
   void add(const motion::StepView &view);
+  /// What an impact takes at once [J], at the angle from a_1 at which the sides meet [rad].
+  void add_impact(double energy, double wear, double angle);
+  /// Where the contact was at the end of the last step or at the last impact [rad].
+  double last_angle() const { return last_angle_; }
 
   Index sectors() const { return work_.rows(); }
   std::size_t contact() const { return contact_; }
@@ -40,12 +45,14 @@ private:
   struct Place;
   Place place(const motion::StepView &view) const;
   Index sector(const Place &place, double tau) const;
+  Index sector(double angle) const;
   bool within(const Place &place, Index sector) const;
   std::vector<double> crossings(const Place &place) const;
   void divide(const motion::StepView &view, const Place &place, const RowVector &work);
 
   std::size_t contact_;
   Matrix work_; ///< sectors x (energy, wear)
+  double last_angle_ = 0;
 };
 
 } // namespace vibroimpact::analyses

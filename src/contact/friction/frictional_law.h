@@ -65,7 +65,7 @@ private:
   void add_curvature(int mode, const LocalState &state, const LawResponse &normal,
                      AffineForm &rate) const;
   TangentialValues friction(int mode, const LocalState &state) const;
-  void add_friction(const NormalForce &normal, const TangentialValues &friction,
+  void add_friction(int mode, const NormalForce &normal, const TangentialValues &friction,
                     LawResponse &response) const;
   void add_work(int mode, const LocalState &state, const TangentialValues &friction,
                 LawResponse &response) const;

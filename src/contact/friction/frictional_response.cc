@@ -84,10 +84,14 @@ TangentialValues FrictionalLaw::friction(int mode, const LocalState &state) cons
   return values;
 }
 
-// The internal states of the normal law stand before those of the tangential one.
-void FrictionalLaw::add_friction(const NormalForce &normal, const TangentialValues &friction,
-                                 LawResponse &response) const {
+// The internal states of the normal law stand before those of the tangential one. A force that
+// holds the gap is no function of the state: derivatives by it stay.
+void FrictionalLaw::add_friction(int mode, const NormalForce &normal,
+                                 const TangentialValues &friction, LawResponse &response) const {
+  const bool held = modes()[static_cast<std::size_t>(mode)].holds_gap;
   const auto by_state = [&](AffineForm by) {
+    if (held)
+      return by;
     const double force = std::exchange(by.normal_force, 0);
     const double rate = std::exchange(by.normal_force_rate, 0);
     if (force != 0)
@@ -169,7 +173,7 @@ void FrictionalLaw::evaluate(int mode, const LocalState &state, LawResponse &res
   seen.normal_force = response.force;
   const TangentialValues values = friction(mode, seen);
   const NormalForce normal = normal_force(mode, state, response);
-  add_friction(normal, values, response);
+  add_friction(mode, normal, values, response);
   add_work(mode, state, values, response);
 }
 

@@ -107,7 +107,10 @@ Collisions::Instant Collisions::look(double time, double time_tolerance, std::si
   const StateLayout &layout = equations_.layout();
   instant.gap = ConstVectorView(gap.data(), size);
   instant.gap_rate = ConstVectorView(gap_rate.data(), size);
-  instant.rows = gap_rows(equations_.contacts(), instant.contacts, layout.n);
+  instant.rows.resize(size, layout.n);
+  for (Index k = 0; k < size; ++k)
+    instant.rows.row(k) = equations_.row_along(instant.contacts[static_cast<std::size_t>(k)], 0,
+                                               time, ConstVectorView(state.data(), state.size()));
   instant.carried = instant.gap_rate - instant.rows * state.segment(layout.velocity(), layout.n);
   instant.response =
       equations_.response_to(instant.rows, time, ConstVectorView(state.data(), state.size()));
@@ -174,8 +177,9 @@ bool Collisions::negligible_energy(const Instant &instant, std::size_t k,
                                    const Vector &state) const {
   if (instant.restitution[static_cast<Index>(k)] < 1)
     return false;
-  const double speed = instant.after[static_cast<Index>(k)];
-  const double mass = equations_.contacts().effective_mass(instant.contacts[k], equations_.model());
+  const auto place = static_cast<Index>(k);
+  const double speed = instant.after[place];
+  const double mass = 1 / instant.effect(place, place);
   return 0.5 * mass * speed * speed <=
          negligible_energy_share * settings_.relative_tolerance *
              equations_.stored_energy(instant.time, ConstVectorView(state.data(), state.size()));
@@ -300,7 +304,7 @@ void Collisions::record_struck(const Instant &instant, const std::vector<Index> 
   for (const Index k : struck)
     record.contacts.push_back(instant.contacts[static_cast<std::size_t>(k)]);
   record.directions.assign(struck.size(), 0);
-  record.rows = gap_rows(equations_.contacts(), record.contacts, equations_.layout().n);
+  record.rows = instant.rows(struck, Eigen::all);
   record.response.resize(equations_.layout().n, static_cast<Index>(struck.size()));
   for (std::size_t i = 0; i < struck.size(); ++i)
     record.response.col(static_cast<Index>(i)) = instant.response.col(struck[i]);

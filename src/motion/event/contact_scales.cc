@@ -133,6 +133,13 @@ double ContactScales::speed(std::size_t contact) const {
   return rounding_factor * of_[contact].gap_rate + share * largest_.gap_rate + absolute_speed_;
 }
 
+// In a circular gap the contact acts along any direction across its axis.
+double ContactScales::mass_along(std::size_t contact, int direction) const {
+  const contact::ContactSet &contacts = equations_.contacts();
+  const auto mass = [&](int d) { return contacts.effective_mass(contact, equations_.model(), d); };
+  return contacts.pairs()[contact].circle ? std::min(mass(0), mass(1)) : mass(direction);
+}
+
 double ContactScales::error(std::size_t contact, const contact::AffineForm &form) const {
   double sum = 0;
   const int directions = equations_.contacts().pairs()[contact].n_directions();
@@ -148,8 +155,7 @@ double ContactScales::error(std::size_t contact, const contact::AffineForm &form
     sum += of_normal_force(contact, form, length(contact), speed(contact), of_forces);
   for (int d = by_value ? 1 : 0; d < directions; ++d)
     if (const double factor = form.along(d).force; factor != 0)
-      sum += std::abs(factor) *
-             equations_.contacts().effective_mass(contact, equations_.model(), d) * of_forces;
+      sum += std::abs(factor) * mass_along(contact, d) * of_forces;
   if (form.margin != 0)
     sum += std::abs(form.margin) *
            margins_[contact][static_cast<std::size_t>(equations_.modes()[contact])];

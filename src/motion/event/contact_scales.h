@@ -55,6 +55,7 @@ private:
   void include_forces(std::size_t contact, double time, const Vector &state);
   void include_slopes(std::size_t contact, double time, const Vector &state);
   void include_margin(std::size_t contact, double time, const Vector &state);
+  double mass_along(std::size_t contact, int direction) const;
   double of_normal_force(std::size_t contact, const contact::AffineForm &form, double length,
                          double speed, double acceleration) const;
 

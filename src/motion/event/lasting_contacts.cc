@@ -26,10 +26,8 @@ const contact::Mode &mode_behind(const Equations &equations, std::size_t contact
 }
 
 // The sign of the slip in a mode, by its force -sigma mu N; 0: it does not slip.
-int direction_of_slip(const contact::Mode &mode) {
-  if (mode.friction != Friction::slip || !mode.affine)
-    return 0;
-  const double share = mode.affine->tangential_force[0].normal_force;
+int direction_of_slip(const Equations &equations, std::size_t contact, int mode) {
+  const double share = friction_share(equations.contacts().pairs()[contact], mode);
   return share < 0 ? 1 : share > 0 ? -1 : 0;
 }
 
@@ -48,11 +46,11 @@ int direction_of_break(const Equations &equations, const ContactScales &scales, 
                        double time, const Vector &state) {
   const contact::Mode &mode = equations.mode(contact);
   if (mode.friction != Friction::stick)
-    return direction_of_slip(mode);
+    return direction_of_slip(equations, contact, equations.modes()[contact]);
   const contact::LocalState local =
       equations.local_state(contact, time, ConstVectorView(state.data(), state.size()));
   for (const contact::Guard &guard : mode.guards)
-    if (const int direction = direction_of_slip(mode_behind(equations, contact, guard));
+    if (const int direction = direction_of_slip(equations, contact, guard.target);
         direction != 0 && guard.indicator(local) <= scales.error(contact, guard.indicator))
       return direction;
   return 0;
@@ -76,7 +74,7 @@ std::vector<RestingContact> resting_contacts(const Equations &equations,
     if (c == first && !behind.holds_gap)
       continue;
     const int slides = !breaks      ? 0
-                       : c == first ? direction_of_slip(behind)
+                       : c == first ? direction_of_slip(equations, c, guard.target)
                                     : direction_of_break(equations, scales, c, time, state);
     list.push_back(
         {.place = static_cast<Index>(k),

@@ -36,11 +36,15 @@ Rubbing::Rubbing(const Equations &equations, const std::vector<std::size_t> &con
         contacts_[static_cast<std::size_t>(k)], time, ConstVectorView(state.data(), state.size()));
     const contact::ContactLaw &law = *pair(k).law;
     friction_.push_back({.coefficient = law.impact_friction(), .at_rest = law.static_friction()});
-    rows_.row(2 * k) = pair(k).gap.row;
+    const auto row = [&](int direction) {
+      return equations.row_along(contacts_[static_cast<std::size_t>(k)], direction, time,
+                                 ConstVectorView(state.data(), state.size()));
+    };
+    rows_.row(2 * k) = row(0);
     before_[2 * k] = local.gap_rate;
     if (!has_friction(k))
       continue;
-    rows_.row(2 * k + 1) = pair(k).tangential.front().slip.row;
+    rows_.row(2 * k + 1) = row(1);
     before_[2 * k + 1] = local.tangential.front().slip_rate;
   }
   carried_ = before_ - rows_ * state.segment(layout.velocity(), layout.n);
@@ -127,9 +131,8 @@ std::vector<int> Rubbing::modes_at_rest(const std::vector<RestingContact> &list,
         has_friction(of.place) && std::abs(slip) > of.slow)
       slides = slip > 0 ? 1 : -1;
     if (slides != 0)
-      refuse_jamming(
-          equations_.model(), pair(of.place),
-          pair(of.place).law->modes()[static_cast<std::size_t>(mode_of_slip(of, slides))]);
+      refuse_jamming(pair(of.place), friction_share(pair(of.place), mode_of_slip(of, slides)),
+                     effect_(2 * of.place, 2 * of.place), effect_(2 * of.place, 2 * of.place + 1));
   }
   const std::vector<Index> places = both_of(resting);
   const contact::FrictionalSolution found =

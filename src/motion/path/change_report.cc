@@ -6,8 +6,6 @@
 
 namespace vibroimpact::motion {
 
-namespace {
-
 double angle_of_contact(const Equations &equations, std::size_t contact, double time,
                         const Vector &state) {
   if (!equations.contacts().pairs()[contact].circle)
@@ -16,8 +14,6 @@ double angle_of_contact(const Equations &equations, std::size_t contact, double 
       equations.frame(contact, time, ConstVectorView(state.data(), state.size()));
   return std::atan2(at.normal[1], at.normal[0]);
 }
-
-} // namespace
 
 void report_change(const Equations &equations, const PassedChange &change, bool integrals,
                    Vector &state, const Observers &observers) {

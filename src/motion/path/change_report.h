@@ -22,4 +22,8 @@ struct PassedChange {
 void report_change(const Equations &equations, const PassedChange &change, bool integrals,
                    Vector &state, const Observers &observers);
 
+/// Where a contact in a circular gap touches, from a_1 [rad]; NaN in a plane gap.
+double angle_of_contact(const Equations &equations, std::size_t contact, double time,
+                        const Vector &state);
+
 } // namespace vibroimpact::motion

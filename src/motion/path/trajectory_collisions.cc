@@ -1,4 +1,5 @@
 // What a trajectory does where rigid contacts meet.
+#include "motion/path/change_report.h"
 #include "motion/path/trajectory.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ void Trajectory::collide(std::size_t first, const Observers &observers) {
                      .gap_rate = change.gap_rate,
                      .gap_rate_after = change.gap_rate_after,
                      .chatter_duration = change.chatter_duration,
+                     .angle = angle_of_contact(equations_, change.contact, time(), before),
                      .state = &state,
                      .before = &before,
                      .guard = &passed,

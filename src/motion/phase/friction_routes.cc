@@ -48,11 +48,11 @@ PhaseForms::Reset stopped_velocity(const Equations &equations, Index entry,
   LinearRow form{.row = RowVector::Unit(size, entry)};
   LinearRow sizes = form;
   for (Index k = 0; k < holding.size(); ++k) {
-    const auto [contact, direction] = holding.held(k);
-    if (direction == 0)
+    const HeldDirection &held = holding.held(k);
+    if (held.direction == 0)
       continue;
     const LinearRow rate =
-        row_of_motion(equations, contact, contact::AffineForm::rate_along(direction));
+        row_of_motion(equations, held.contact, contact::AffineForm::rate_along(held.direction));
     form.row -= by_rates[k] * rate.row;
     form.constant -= by_rates[k] * rate.constant;
     sizes.row += sizes_by_rates[k] * rate.row.cwiseAbs();

@@ -284,8 +284,9 @@ double ErrorMeasure::work_at_rest() const {
   const Vector &mass = equations_.model().mass();
   double sum = 0;
   for (Index k = 0; k < holding.size(); ++k) {
-    const auto [c, direction] = holding.held(k);
-    const double push = length_ * (direction == 0 ? present_.of[c].force : present_.of[c].sticking);
+    const HeldDirection &held = holding.held(k);
+    const double push = length_ * (held.direction == 0 ? present_.of[held.contact].force
+                                                       : present_.of[held.contact].sticking);
     for (Index j = 0; j < mass.size(); ++j) {
       const double momentum = push * std::abs(holding.rows()(k, j));
       sum += momentum *

@@ -68,7 +68,7 @@ void HighOrderStepper::find_only_contact() {
   only_contact_.reset();
   std::size_t count = 0;
   for (std::size_t c = 0; c < equations_.contacts().size(); ++c) {
-    if (!equations_.mode(c).affine) {
+    if (!equations_.mode(c).affine && !equations_.mode(c).holds_gap) {
       ++count;
       only_contact_ = c;
     }

@@ -17,24 +17,22 @@ Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size
   return rows;
 }
 
-RowVector holding_row(const contact::ContactPair &pair, const contact::Mode &mode) {
-  RowVector row = pair.gap.row;
-  for (std::size_t k = 0; mode.affine && k < pair.tangential.size(); ++k)
-    if (const double share = mode.affine->tangential_force[k].normal_force; share != 0)
-      row += share * pair.tangential[k].slip.row;
-  return row;
+// By the derivative that the law has by that force.
+double friction_share(const contact::ContactPair &pair, int mode) {
+  const contact::Mode &of = pair.law->modes()[static_cast<std::size_t>(mode)];
+  if (!of.holds_gap || of.friction != contact::Friction::slip)
+    return 0;
+  if (of.affine)
+    return of.affine->tangential_force[0].normal_force;
+  contact::LawResponse response;
+  pair.law->evaluate(mode, {.internal = pair.law->initial_internal(), .normal_force = 1}, response);
+  return response.tangential[0].by.normal_force;
 }
 
-void refuse_jamming(const model::Model &model, const contact::ContactPair &pair,
-                    const contact::Mode &mode) {
-  if (!mode.holds_gap || mode.friction != contact::Friction::slip)
-    return;
+void refuse_jamming(const contact::ContactPair &pair, double share, double alone, double coupling) {
   constexpr double least = 1e-9;
-  const RowVector mobility = pair.gap.row.cwiseQuotient(model.mass().transpose());
-  const double alone = mobility.dot(pair.gap.row);
-  if (mobility.dot(holding_row(pair, mode)) > least * alone)
+  if (alone + share * coupling > least * alone)
     return;
-  const double coupling = mobility.dot(pair.tangential.front().slip.row);
   std::ostringstream text;
   text << "contact " << pair.name << " slides so that its friction presses the rigid sides "
        << "together more than their normal force can part them: the friction coefficient "
@@ -42,6 +40,15 @@ void refuse_jamming(const model::Model &model, const contact::ContactPair &pair,
        << " (Painleve); the motion has no continuation or several. Use a law with a finite "
        << "stiffness.";
   throw NumericalError(text.str());
+}
+
+void refuse_jamming(const model::Model &model, const contact::ContactPair &pair, int mode) {
+  const double share = friction_share(pair, mode);
+  if (share == 0)
+    return;
+  const RowVector mobility = pair.gap.row.cwiseQuotient(model.mass().transpose());
+  refuse_jamming(pair, share, mobility.dot(pair.gap.row),
+                 mobility.dot(pair.tangential.front().slip.row));
 }
 
 namespace {
@@ -62,7 +69,10 @@ ActiveConstraints::ActiveConstraints(const model::Model &model, const contact::C
     const contact::Mode &mode = mode_of(contacts, c, modes);
     for (int d = 0; d < pair.n_directions(); ++d)
       if (mode.holds(d))
-        held_.push_back({.contact = c, .direction = d});
+        held_.push_back({.contact = c,
+                         .direction = d,
+                         .friction = d == 0 ? friction_share(pair, modes[c]) : 0});
+    turn_ = turn_ || (mode.holds() && pair.circle);
   }
   if (held_.empty())
     return;
@@ -76,12 +86,11 @@ ActiveConstraints::ActiveConstraints(const model::Model &model, const contact::C
     if (held(k).direction > 0)
       rates_(k, 1) = 0;
   }
-  Matrix along = rows_;
+  along_ = rows_;
   for (Index k = 0; k < size(); ++k)
-    if (held(k).direction == 0)
-      along.row(k) =
-          holding_row(contacts.pairs()[held(k).contact], mode_of(contacts, held(k).contact, modes));
-  set_response(model.mass().cwiseInverse().asDiagonal() * along.transpose());
+    if (const double share = held(k).friction; share != 0)
+      along_.row(k) += share * contacts.pairs()[held(k).contact].tangential.front().slip.row;
+  set_response(model.mass().cwiseInverse().asDiagonal() * along_.transpose());
 }
 
 bool ActiveConstraints::holds(std::size_t contact) const {
@@ -95,6 +104,11 @@ Index ActiveConstraints::place(std::size_t contact, int direction) const {
                         return held.contact == contact && held.direction == direction;
                       }) -
          held_.begin();
+}
+
+void ActiveConstraints::set_rows(Index k, const RowVector &row, const RowVector &along) {
+  rows_.row(k) = row;
+  along_.row(k) = along;
 }
 
 void ActiveConstraints::set_response(const Matrix &response) {

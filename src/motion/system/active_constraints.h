@@ -10,6 +10,9 @@
 // Where a contact is held along its normal and slides, the friction -sigma mu F acts with F: its
 // column is that of n - sigma mu t in place of n, and W M^-1 W_F^T is not symmetric.
 //
+// In a circular gap n and t turn with the place, and so do the rows; gap'' and slip'' have what
+// that makes of the velocities (contact/circular_gap.h).
+//
 // A motion that starts with gap = gap' = 0 keeps both at zero, whatever a and b are; they make what
 // rounding leaves die out instead of grow, and the two being different keeps the equations
 // diagonalizable. Forces of contacts that hold the same direction twice are shared equally.
@@ -28,6 +31,7 @@ namespace vibroimpact::motion {
 struct HeldDirection {
   std::size_t contact = 0;
   int direction = 0;
+  double friction = 0; ///< tangential force per unit of the force that holds it
 };
 
 class ActiveConstraints {
@@ -45,8 +49,13 @@ public:
   Index place(std::size_t contact, int direction) const;
 
   const Matrix &rows() const { return rows_; }         ///< W
+  const Matrix &along() const { return along_; }       ///< W_F
   const Matrix &response() const { return response_; } ///< M^-1 W_F^T
-  /// Where rotors change the mass matrix with the position.
+  /// Is there a circular gap among the contacts? Rows are those of the place given last.
+  bool turn() const { return turn_; }
+  /// `row` of a direction in a circular gap, and what its force acts along.
+  void set_rows(Index k, const RowVector &row, const RowVector &along);
+  /// Where rows turn or rotors change the mass matrix with the position.
   void set_response(const Matrix &response);
 
   double by_rate(Index k) const { return rates_(k, 0) + rates_(k, 1); }     ///< a + b [1/s]
@@ -58,21 +67,23 @@ public:
 
 private:
   std::vector<HeldDirection> held_;
-  Matrix rows_, response_;
+  Matrix rows_, along_, response_;
+  bool turn_ = false;
   Matrix rates_;                            ///< held directions x 2; b = 0: held where it is
   std::shared_ptr<const LeastNorm> factor_; ///< of W M^-1 W_F^T
 };
 
-/// Along what the force that holds the gap acts: the gap row, and the slip rows of a contact that
-/// slides by as much as the law has of that force.
-RowVector holding_row(const contact::ContactPair &pair, const contact::Mode &mode);
+/// Tangential force per unit of the force that holds the gap in a mode: of a contact that slides.
+double friction_share(const contact::ContactPair &pair, int mode);
 
-/// NumericalError where that force could not push the sides apart, because the friction that goes
-/// with it presses them together (Painleve 1895): the motion has no continuation or several.
-void refuse_jamming(const model::Model &model, const contact::ContactPair &pair,
-                    const contact::Mode &mode);
+/// NumericalError where the force that holds the gap in a mode could not push the sides apart,
+/// because the friction that goes with it presses them together (Painleve 1895): the motion has no
+/// continuation or several. `alone`: n M^-1 n^T, `coupling`: n M^-1 t^T [1/kg].
+void refuse_jamming(const contact::ContactPair &pair, double share, double alone, double coupling);
+/// The same where the gap is plane.
+void refuse_jamming(const model::Model &model, const contact::ContactPair &pair, int mode);
 
-/// The gap rows of some contacts, one below the other.
+/// The gap rows of some contacts in plane gaps, one below the other.
 Matrix gap_rows(const contact::ContactSet &contacts, const std::vector<std::size_t> &list, Index n);
 
 } // namespace vibroimpact::motion

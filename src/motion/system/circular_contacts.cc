@@ -33,12 +33,27 @@ CircularFrame Equations::frame(std::size_t contact, double time, ConstVectorView
   return contacts_.pairs()[contact].circle->frame(relative_motion(contact, time, x));
 }
 
-RowVector Equations::normal_row(std::size_t contact, double time, ConstVectorView x) const {
+RowVector Equations::row_along(std::size_t contact, int direction, double time,
+                               ConstVectorView x) const {
   const ContactPair &pair = contacts_.pairs()[contact];
   if (!pair.circle)
-    return pair.gap.row;
+    return pair.along(direction).projection->row;
   const CircularFrame at = frame(contact, time, x);
-  return at.normal[0] * pair.gap.row + at.normal[1] * pair.circle->second().row;
+  const AcrossAxis &axis = direction == 0 ? at.normal : at.tangent;
+  return axis[0] * pair.gap.row + axis[1] * pair.circle->second().row;
+}
+
+// The speed that moving bases and surfaces give to a direction.
+double Equations::carried_along(std::size_t contact, int direction, double time,
+                                ConstVectorView x) const {
+  const ContactPair &pair = contacts_.pairs()[contact];
+  if (!pair.circle)
+    return base_rate(component(contact, direction), time);
+  const CircularFrame at = frame(contact, time, x);
+  const AcrossAxis &axis = direction == 0 ? at.normal : at.tangent;
+  return axis[0] * base_rate(component(contact, 0), time) +
+         axis[1] * base_rate(component(contact, 1), time) +
+         (direction == 0 ? 0 : pair.circle->surface_speed());
 }
 
 // Before the division by the mass. A surface that moves puts in the power -F V.
@@ -118,7 +133,7 @@ void Equations::write_circular_rates(std::size_t c, double time, ConstVectorView
 RowVector Equations::gap_acceleration_row(std::size_t contact, double time, ConstVectorView x,
                                           const Matrix &jacobian) const {
   const auto accelerations = jacobian.middleRows(layout_.velocity(), layout_.n);
-  RowVector row = normal_row(contact, time, x) * accelerations;
+  RowVector row = row_along(contact, 0, time, x) * accelerations;
   const ContactPair &pair = contacts_.pairs()[contact];
   if (!pair.circle)
     return row;
@@ -127,7 +142,7 @@ RowVector Equations::gap_acceleration_row(std::size_t contact, double time, Cons
   const AcrossAxis acceleration = relative_acceleration(
       contact, time, ConstVectorView(rates.data() + layout_.velocity(), layout_.n));
   Matrix by_frame = Matrix::Zero(1, jacobian.cols());
-  add_rows(contact, pair.circle->acceleration_gradient(frame(contact, time, x), acceleration),
+  add_rows(contact, pair.circle->acceleration_gradient(frame(contact, time, x), acceleration, 0),
            Vector::Ones(1), by_frame);
   return row + by_frame.row(0);
 }

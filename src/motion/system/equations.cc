@@ -60,12 +60,13 @@ void Equations::set_mode(std::size_t contact, int mode) {
   if (modes_[contact] == mode)
     return;
   const ContactPair &pair = contacts_.pairs()[contact];
-  if (pair.circle && pair.law->modes()[static_cast<std::size_t>(mode)].holds())
+  const contact::Mode &next = pair.law->modes()[static_cast<std::size_t>(mode)];
+  if (pair.circle && next.holds_slip && !next.holds_gap)
     throw NumericalError("contact " + pair.name +
-                         " comes to stick in its circular gap, where laws of friction slip only; a "
-                         "spring-slider sticks by a spring");
-  if (!pair.tangential.empty())
-    refuse_jamming(model_, pair, pair.law->modes()[static_cast<std::size_t>(mode)]);
+                         " comes to stick in its circular gap, where sides that a finite force "
+                         "parts slip only; a spring-slider sticks by a spring");
+  if (!pair.tangential.empty() && !pair.circle)
+    refuse_jamming(model_, pair, mode);
   const bool held = this->mode(contact).holds();
   modes_[contact] = mode;
   list(contact);
@@ -128,19 +129,6 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
   dxdt[layout_.damping_work()] = damping_power;
 }
 
-// Adds the derivative of the forces that hold gaps, which is linear in that of the accelerations.
-void Equations::hold(Matrix &jacobian) const {
-  const Index n = layout_.n;
-  auto accelerations = jacobian.middleRows(layout_.velocity(), n);
-  Matrix missing = -constraints_.rows() * accelerations;
-  for (Index k = 0; k < constraints_.size(); ++k) {
-    missing.row(k).head(n) -= constraints_.by_position(k) * constraints_.rows().row(k);
-    missing.row(k).segment(layout_.velocity(), n) -=
-        constraints_.by_rate(k) * constraints_.rows().row(k);
-  }
-  accelerations += constraints_.response() * constraints_.forces(missing);
-}
-
 // Rotors add to the inertia of their points.
 Matrix Equations::response_to(const Matrix &rows, double time, ConstVectorView x) const {
   Matrix response = model_.mass().cwiseInverse().asDiagonal() * rows.transpose();
@@ -199,7 +187,7 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
   if (!model_.rotors().empty())
     couple_rotors(time, x, jacobian);
   if (!constraints_.empty())
-    hold(jacobian);
+    hold(time, x, jacobian);
   if (!following_.empty())
     follow_force_rates(time, x, jacobian);
 }
@@ -247,7 +235,7 @@ Vector Equations::uncoupled_acceleration(double time, ConstVectorView x) const {
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (!inactive(c))
       force +=
-          this->force(c, modes_[c], local_state(c, time, x)) * normal_row(c, time, x).transpose();
+          this->force(c, modes_[c], local_state(c, time, x)) * row_along(c, 0, time, x).transpose();
   return force.cwiseQuotient(model_.mass());
 }
 

@@ -119,8 +119,8 @@ public:
 
   /// Where a contact in a circular gap stands.
   contact::CircularFrame frame(std::size_t contact, double time, ConstVectorView x) const;
-  /// The gap by the coordinates: what a normal force acts along.
-  RowVector normal_row(std::size_t contact, double time, ConstVectorView x) const;
+  /// The gap (0) or a slip by the coordinates: what a force along that direction acts along.
+  RowVector row_along(std::size_t contact, int direction, double time, ConstVectorView x) const;
 
   /// What a force along each row does: M^-1 rows^T at a position, n x rows.
   Matrix response_to(const Matrix &rows, double time, ConstVectorView x) const;
@@ -171,6 +171,7 @@ private:
                                          ConstVectorView x) const;
   contact::LocalState local_motion(std::size_t contact, double time, ConstVectorView x) const;
   double base_rate(const Component &component, double time) const;
+  double carried_along(std::size_t contact, int direction, double time, ConstVectorView x) const;
   double acceleration_along(const Component &component, double time,
                             ConstVectorView acceleration) const;
   contact::RelativeMotion relative_motion(std::size_t contact, double time,
@@ -205,10 +206,16 @@ private:
   void add_contact(std::size_t contact, double time, ConstVectorView x, Matrix &jacobian) const;
   void add_friction(std::size_t contact, Matrix &jacobian) const;
   void write_internal_rates(std::size_t contact, Matrix &jacobian) const;
+  void place_constraints(double time, ConstVectorView x) const;
   double hold(double time, ConstVectorView x, VectorView dxdt) const;
   double rub(std::size_t contact, double normal_force, double time, ConstVectorView x,
              VectorView dxdt) const;
-  void hold(Matrix &jacobian) const;
+  void hold(double time, ConstVectorView x, Matrix &jacobian) const;
+  void turn_held_forces(double time, ConstVectorView x, Matrix &jacobian) const;
+  void add_held_gradients(double time, ConstVectorView x, ConstVectorView acceleration,
+                          Matrix &missing) const;
+  double acceleration_of_forces(const Component &component, double time, const Vector &x) const;
+  double turning_acceleration(std::size_t contact, double time, const Vector &x) const;
   double force_magnitude(std::size_t contact, int direction, double time, const Vector &x) const;
   double add_nonlinear_forces(double time, ConstVectorView x, VectorView dxdt) const;
   void add_nonlinear_forces(double time, ConstVectorView x, Matrix &jacobian) const;

@@ -9,7 +9,6 @@ namespace vibroimpact::motion {
 
 using contact::ContactPair;
 using contact::LocalState;
-using model::TimeFunction;
 
 // Position and rate.
 std::pair<double, double> Equations::motion_along(const Component &component, double time,
@@ -180,76 +179,6 @@ void Equations::write_friction(const ContactPair &pair, VectorView dxdt) const {
   dxdt[layout_.friction_work(pair.sliding_place)] = response_.friction_power;
   dxdt[layout_.wear_work(pair.sliding_place)] = response_.force * response_.sliding_speed;
   dxdt[layout_.sliding_way(pair.sliding_place)] = response_.sliding_speed;
-}
-
-// By impulses along what is held: v -= M^-1 W^T (W M^-1 W^T)^-1 slip_rate.
-void Equations::stop_slip(double time, Vector &x) const {
-  Vector rates = Vector::Zero(constraints_.size());
-  for (Index k = 0; k < rates.size(); ++k)
-    if (const auto [contact, direction] = constraints_.held(k); direction > 0)
-      rates[k] =
-          motion_along(component(contact, direction), time, ConstVectorView(x.data(), x.size()))
-              .second;
-  x.segment(layout_.velocity(), layout_.n) -= constraints_.response() * constraints_.forces(rates);
-}
-
-// Adds the forces that hold gaps and slip rates. Returns the power that moving bases and surfaces
-// put into them.
-double Equations::hold(double time, ConstVectorView x, VectorView dxdt) const {
-  VectorView acceleration(dxdt.data() + layout_.velocity(), layout_.n);
-  if (!model_.rotors().empty())
-    constraints_.set_response(response_to(constraints_.rows(), time, x));
-  Vector missing(constraints_.size());
-  Vector carried(constraints_.size());
-  Vector rate(constraints_.size());
-  for (Index k = 0; k < constraints_.size(); ++k) {
-    const HeldDirection &held = constraints_.held(k);
-    const Component &component = this->component(held.contact, held.direction);
-    const RowVector &row = component.along.projection->row;
-    double position = component.along.offset + row.dot(x.head(layout_.n));
-    carried[k] = component.along.speed;
-    for (const BaseCoefficient &base : component.base_coefficients) {
-      const TimeFunction &function = *model_.sources()[base.source].function;
-      position += base.factor * function.value(source_time(time));
-      carried[k] += base.factor * function.rate(source_time(time));
-    }
-    rate[k] = row.dot(x.segment(layout_.velocity(), layout_.n)) + carried[k];
-    missing[k] =
-        -acceleration_along(component, time, ConstVectorView(acceleration.data(), layout_.n)) -
-        constraints_.by_rate(k) * rate[k] - constraints_.by_position(k) * position;
-  }
-  const Vector forces = constraints_.forces(missing);
-  acceleration += constraints_.response() * forces;
-  for (Index k = 0; k < constraints_.size(); ++k) {
-    const auto contact = static_cast<Index>(constraints_.held(k).contact);
-    if (constraints_.held(k).direction == 0)
-      dxdt[layout_.impulse(contact)] = forces[k];
-    dxdt[layout_.contact_work(contact)] += -forces[k] * rate[k];
-  }
-  held_forces_ = forces;
-  double power = -forces.dot(carried);
-  for (Index k = 0; k < constraints_.size(); ++k)
-    if (const auto [contact, direction] = constraints_.held(k);
-        direction == 0 && mode(contact).friction == contact::Friction::slip)
-      power += rub(contact, forces[k], time, x, dxdt);
-  return power;
-}
-
-// What the friction of a contact takes that slides and is held along its normal. Returns the power
-// that moving bases and surfaces put into it.
-double Equations::rub(std::size_t contact, double normal_force, double time, ConstVectorView x,
-                      VectorView dxdt) const {
-  const ContactPair &pair = contacts_.pairs()[contact];
-  LocalState state = local_motion(contact, time, x);
-  state.normal_force = normal_force;
-  pair.law->evaluate(modes_[contact], state, response_);
-  write_friction(pair, dxdt);
-  dxdt[layout_.contact_work(static_cast<Index>(contact))] += response_.friction_power;
-  double power = 0;
-  for (int d = 1; d < pair.n_directions(); ++d)
-    power -= response_.tangential[static_cast<std::size_t>(d - 1)].force *
-             base_rate(component(contact, d), time);
-  return power;
 }
 
 // Before the division by the mass.

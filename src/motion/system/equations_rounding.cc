@@ -69,30 +69,53 @@ double Equations::rounding(std::size_t contact, const contact::AffineForm &form,
 
 double Equations::acceleration_rounding(std::size_t contact, double time, const Vector &x,
                                         int direction) const {
-  const Component &component = this->component(contact, direction);
-  if (component.along.projection->row.isZero(0))
-    return 0;
-  double sum = force_magnitude(contact, direction, time, x) /
-               contacts_.effective_mass(contact, model_, direction);
-  for (const BaseCoefficient &base : component.base_coefficients)
-    sum += std::abs(base.factor * source(base.source, 2, time));
-  return rounding_factor * sum;
+  const auto along = [&](int d) {
+    const Component &component = this->component(contact, d);
+    if (component.along.projection->row.isZero(0))
+      return 0.0;
+    double sum = acceleration_of_forces(component, time, x);
+    for (const BaseCoefficient &base : component.base_coefficients)
+      sum += std::abs(base.factor * source(base.source, 2, time));
+    return sum;
+  };
+  if (!contacts_.pairs()[contact].circle)
+    return rounding_factor * along(direction);
+  return rounding_factor * (along(0) + along(1) + turning_acceleration(contact, time, x));
 }
 
-// Sum of the sizes of all that the force which holds a direction is made of.
-double Equations::force_magnitude(std::size_t contact, int direction, double time,
-                                  const Vector &x) const {
-  const Index n = layout_.n;
+// |s w^2 / r| and |s g' w / r| <= |u'|^2 / r
+double Equations::turning_acceleration(std::size_t contact, double time, const Vector &x) const {
+  const contact::CircularFrame at = frame(contact, time, ConstVectorView(x.data(), x.size()));
+  const double square = at.gap_rate * at.gap_rate + at.turning * at.turning;
+  return at.distance > 0 ? square / at.distance : 0;
+}
+
+// Sum of the sizes of all that forces make of an acceleration.
+double Equations::acceleration_of_forces(const Component &component, double time,
+                                         const Vector &x) const {
   load(time);
   Vector &forces = elastic_;
   forces = load_.cwiseAbs();
   add_magnitudes(model_.stiffness(), x.data(), forces);
   add_magnitudes(model_.damping(), x.data() + layout_.velocity(), forces);
-  const RowVector &row = component(contact, direction).along.projection->row;
+  const RowVector &row = component.along.projection->row;
   double sum = 0;
-  for (Index j = 0; j < n; ++j)
+  for (Index j = 0; j < layout_.n; ++j)
     sum += std::abs(row[j]) * forces[j] / model_.mass()[j];
-  return sum * contacts_.effective_mass(contact, model_, direction);
+  return sum;
+}
+
+// Sum of the sizes of all that the force which holds a direction is made of.
+double Equations::force_magnitude(std::size_t contact, int direction, double time,
+                                  const Vector &x) const {
+  if (!contacts_.pairs()[contact].circle)
+    return acceleration_of_forces(component(contact, direction), time, x) *
+           contacts_.effective_mass(contact, model_, direction);
+  const RowVector row = row_along(contact, direction, time, ConstVectorView(x.data(), x.size()));
+  const double acceleration = acceleration_of_forces(component(contact, 0), time, x) +
+                              acceleration_of_forces(component(contact, 1), time, x) +
+                              turning_acceleration(contact, time, x);
+  return acceleration / row.cwiseQuotient(model_.mass().transpose()).dot(row);
 }
 
 } // namespace vibroimpact::motion

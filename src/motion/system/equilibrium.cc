@@ -45,8 +45,12 @@ public:
     const double spring = std::max(1.0, stiffness_.cwiseAbs().maxCoeff());
     for (Index k = n; k < size(); ++k) {
       const std::size_t contact = pressed_[static_cast<std::size_t>(k - n)];
-      const RowVector &row = equations_.contacts().pairs()[contact].gap.row;
+      const Vector x = at_rest(q);
+      const RowVector row =
+          equations_.row_along(contact, 0, 0, ConstVectorView(x.data(), x.size()));
       all.head(n) += unknown[k] * row.transpose();
+      if (equations_.contacts().pairs()[contact].circle)
+        add_turning(contact, x, {.force = unknown[k]}, derivative);
       all[k] = spring * local(contact, q).gap;
       derivative.col(k).head(n) = row.transpose();
       derivative.row(k).head(n) = spring * row;
@@ -84,10 +88,14 @@ public:
   }
 
 private:
+  Vector at_rest(const Vector &q) const {
+    Vector x = Vector::Zero(equations_.layout().size());
+    x.head(q.size()) = q;
+    return x;
+  }
+
   LocalState local(std::size_t contact, const Vector &q) const {
-    const StateLayout &layout = equations_.layout();
-    Vector x = Vector::Zero(layout.size());
-    x.head(layout.n) = q;
+    const Vector x = at_rest(q);
     LocalState state = equations_.local_state(contact, 0, ConstVectorView(x.data(), x.size()));
     state.gap_rate = 0;
     state.internal = equations_.contacts().pairs()[contact].law->initial_internal();
@@ -111,20 +119,27 @@ private:
   // The law having been evaluated; nothing slides.
   void add_circular(std::size_t c, const Vector &q, Vector &force, Matrix &derivative) {
     const contact::ContactPair &pair = equations_.contacts().pairs()[c];
-    Vector x = Vector::Zero(equations_.layout().size());
-    x.head(q.size()) = q;
-    const contact::CircularFrame at = equations_.frame(c, 0, ConstVectorView(x.data(), x.size()));
+    const Vector x = at_rest(q);
     response_.tangential[0] = {};
-    const contact::AcrossAxis push = pair.circle->force(at, response_);
-    const std::array<contact::AffineForm, 2> by = pair.circle->force_gradient(at, response_);
-    for (int d = 0; d < 2; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const RowVector &row = pair.along(d).projection->row;
-      force += push[k] * row.transpose();
+    const contact::AcrossAxis push =
+        pair.circle->force(equations_.frame(c, 0, ConstVectorView(x.data(), x.size())), response_);
+    for (int d = 0; d < 2; ++d)
+      force += push[static_cast<std::size_t>(d)] * pair.along(d).projection->row.transpose();
+    add_turning(c, x, response_, derivative);
+  }
+
+  // Of the force as a vector, whose normal turns, by the coordinates.
+  void add_turning(std::size_t c, const Vector &x, const contact::LawResponse &response,
+                   Matrix &derivative) const {
+    const contact::ContactPair &pair = equations_.contacts().pairs()[c];
+    const Index n = equations_.layout().n;
+    const std::array<contact::AffineForm, 2> by = pair.circle->force_gradient(
+        equations_.frame(c, 0, ConstVectorView(x.data(), x.size())), response);
+    for (int d = 0; d < 2; ++d)
       for (int other = 0; other < 2; ++other)
-        derivative +=
-            by[k].along(other).position * row.transpose() * pair.along(other).projection->row;
-    }
+        derivative.topLeftCorner(n, n) += by[static_cast<std::size_t>(d)].along(other).position *
+                                          pair.along(d).projection->row.transpose() *
+                                          pair.along(other).projection->row;
   }
 
   const Model &model_;
@@ -154,11 +169,12 @@ bool improve(StaticProblem &problem, Vector &q, Vector &residual, Matrix &deriva
   return false;
 }
 
-// [q, forces of the pressed contacts]; nothing when they do not balance.
-std::optional<Vector> balance(StaticProblem &problem, double &unbalanced) {
+// [q, forces of the pressed contacts] from q on; nothing when they do not balance.
+std::optional<Vector> balance(StaticProblem &problem, const Vector &q, double &unbalanced) {
   constexpr int maximum_iterations = 200;
   constexpr double tolerance = 1e3 * std::numeric_limits<double>::epsilon();
   Vector unknown = Vector::Zero(problem.size());
+  unknown.head(q.size()) = q;
   Matrix derivative;
   Vector residual = problem.residual(unknown, derivative);
   for (int i = 0; i < maximum_iterations && residual.norm() > 0; ++i)
@@ -181,9 +197,10 @@ std::optional<Balance> balance_from(StaticProblem &problem, std::vector<std::siz
                                     const std::vector<std::size_t> &rigid, Index n,
                                     double &unbalanced) {
   constexpr double rounding = 1e-12;
+  Vector q = Vector::Zero(n); // in a circular gap the last place says where the sides meet
   for (std::size_t change = 0; change <= 4 * rigid.size(); ++change) {
     problem.press(pressed);
-    const std::optional<Vector> unknown = balance(problem, unbalanced);
+    const std::optional<Vector> unknown = balance(problem, q, unbalanced);
     if (!unknown)
       return std::nullopt;
     const Vector forces = unknown->tail(unknown->size() - n);
@@ -192,7 +209,7 @@ std::optional<Balance> balance_from(StaticProblem &problem, std::vector<std::siz
       pressed.erase(pressed.begin() + pulling);
       continue;
     }
-    const Vector q = unknown->head(n);
+    q = unknown->head(n);
     const auto deeper = [&](std::size_t a, std::size_t b) {
       return problem.gap(a, q) < problem.gap(b, q);
     };

@@ -21,7 +21,7 @@ double rate_of_force(const LawResponse &response, const LocalState &change) {
 }
 
 bool Equations::sees_normal_force(std::size_t contact) const {
-  return !contacts_.pairs()[contact].tangential.empty() &&
+  return !contacts_.pairs()[contact].tangential.empty() && !mode(contact).holds_gap &&
          (!mode(contact).affine || mode(contact).sees_force_rate);
 }
 

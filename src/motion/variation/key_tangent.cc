@@ -205,11 +205,12 @@ void KeyTangent::hold(const Equations &equations, double time, const Vector &sta
   auto accelerations = change.segment(n, n);
   Vector missing = -holding.rows() * accelerations;
   for (Index k = 0; k < holding.size(); ++k) {
-    const auto [c, direction] = holding.held(k);
-    missing[k] -= data_->along(c, direction).projection.row.dot(velocities(rates, n)) +
-                  gap_by_sources(c, time, 2, direction);
-    missing[k] -= holding.by_rate(k) * gap_rate(c, time, state, direction) +
-                  holding.by_position(k) * gap(c, time, state, direction);
+    const HeldDirection &held = holding.held(k);
+    missing[k] -=
+        data_->along(held.contact, held.direction).projection.row.dot(velocities(rates, n)) +
+        gap_by_sources(held.contact, time, 2, held.direction);
+    missing[k] -= holding.by_rate(k) * gap_rate(held.contact, time, state, held.direction) +
+                  holding.by_position(k) * gap(held.contact, time, state, held.direction);
   }
   accelerations += holding.response() * holding.forces(missing);
 }

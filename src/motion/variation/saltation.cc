@@ -82,7 +82,7 @@ Vector Saltations::rates_at_guard(const ContactEvent &event, const Vector &state
   const StateLayout &layout = equations_.layout();
   rates.segment(layout.velocity(), layout.n) +=
       (at_zero - force) *
-      equations_.response_to(Matrix(equations_.normal_row(event.contact, event.time, x)),
+      equations_.response_to(Matrix(equations_.row_along(event.contact, 0, event.time, x)),
                              event.time, x);
   return rates;
 }

@@ -56,6 +56,11 @@ void Variation::begin(const Trajectory &trajectory, std::vector<KeyTangent *> ke
   keys_ = std::move(keys);
   start_ = trajectory.time();
   const Equations &motion = trajectory.equations();
+  for (const contact::ContactPair &pair : motion.contacts().pairs())
+    if (pair.circle && pair.law->rigid())
+      throw NumericalError("contact " + pair.name +
+                           " has rigid sides in a circular gap: motions with it have no known "
+                           "derivative");
   for (std::size_t c = 0; c < motion.modes().size(); ++c)
     equations_.set_mode(c, motion.modes()[c]);
   equations_.set_source_break(motion.source_break());
