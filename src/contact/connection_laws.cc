@@ -3,8 +3,8 @@
 #include "contact/laws/formula_spring.h"
 #include "contact/laws/read_formula.h"
 #include "contact/laws/table_spring.h"
+#include "model/connection.h"
 #include "model/direction.h"
-#include "model/side.h"
 
 #include <algorithm>
 #include <functional>
@@ -40,7 +40,8 @@ std::shared_ptr<const ContactLaw> read_formula_spring(const Values &law) {
   return spring;
 }
 
-ContactPair read_pair(const Values &section, const std::string &name, const model::Model &model) {
+ContactPair read_pair(const Values &root, const std::string &name, const model::Model &model) {
+  const Values section = root.instance("Connection", name);
   const model::MotionAxis axis = model::read_motion_axis(section, "Direction");
   if (axis.rotation)
     section.reject("Law", "must be none for a Direction that is a rotation.");
@@ -49,7 +50,7 @@ ContactPair read_pair(const Values &section, const std::string &name, const mode
   return {.name = name,
           .side_a = sides.a,
           .side_b = sides.b,
-          .gap = model::relative_displacement(sides, axis, model),
+          .gap = model::connection_elongation(root, name, sides, axis, model),
           .law = section.choice("Law") == "table"
                      ? read_table_spring(section.subsection("Table"))
                      : read_formula_spring(section.subsection("Formula")),
@@ -101,7 +102,7 @@ ContactSet with_connections(const Values &root, const model::Model &model, Conta
     if (std::any_of(pairs.begin(), pairs.end(), same))
       section.reject("Law", "must be none, or the connection have another name, for there is a "
                             "contact of this name.");
-    pairs.push_back(read_pair(section, name, model));
+    pairs.push_back(read_pair(root, name, model));
   }
   return ContactSet(std::move(pairs), contacts.groups());
 }

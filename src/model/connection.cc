@@ -1,7 +1,8 @@
 #include "model/connection.h"
 
 #include "model/direction.h"
-#include "model/side.h"
+
+#include <algorithm>
 
 namespace vibroimpact::model {
 
@@ -23,13 +24,14 @@ void require_constant(const parameters::Values &section, bool rotation) {
         "the connection does nothing");
 }
 
-Connection read_connection(const parameters::Values &section, const std::string &name,
+Connection read_connection(const parameters::Values &root, const std::string &name,
                            const Model &model) {
+  const parameters::Values section = root.instance("Connection", name);
   const Sides sides = read_sides(section, {side_base, side_ground}, model);
   const MotionAxis axis = read_motion_axis(section, "Direction");
   check_axis_keys(section, axis, {"Stiffness", "Cubic stiffness", "Damping"},
                   {"Rotational stiffness", "Rotational damping"});
-  const Projection elongation = relative_displacement(sides, axis, model);
+  const Projection elongation = connection_elongation(root, name, sides, axis, model);
   if (elongation.row.isZero(0))
     section.reject(
         "Direction",
@@ -47,6 +49,27 @@ Connection read_connection(const parameters::Values &section, const std::string 
 
 } // namespace
 
+bool joins_ground(const parameters::Values &connection) {
+  const std::vector<std::string> ends = connection.names("Between");
+  return ends.size() == 2 && ends[1] == side_ground &&
+         !read_motion_axis(connection, "Direction").rotation;
+}
+
+Projection connection_elongation(const parameters::Values &root, const std::string &name,
+                                 const Sides &sides, const MotionAxis &axis, const Model &model) {
+  Projection elongation = relative_displacement(sides, axis, model);
+  for (const std::string &excitation : root.instances("Excitation")) {
+    const parameters::Values section = root.instance("Excitation", excitation);
+    const std::vector<std::string> moved = section.names("Connections");
+    const std::size_t source = model.find_source(excitation);
+    if (source < model.sources().size() &&
+        std::find(moved.begin(), moved.end(), name) != moved.end())
+      elongation.base_coefficients[source] +=
+          read_direction(section, "Direction").dot(axis.direction);
+  }
+  return elongation;
+}
+
 void declare_connections(parameters::Section &root) {
   using namespace parameters;
   root.named_subsection("Connection",
@@ -54,7 +77,8 @@ void declare_connections(parameters::Section &root) {
                         "Stiffness = 0 N/m alone it measures their relative motion.")
       .names("Between", "",
              "The two ends as BODY.POINT; the second may be base (what the first body stands on, "
-             "the default) or ground (fixed in space).")
+             "the default) or ground (fixed in space, or moved by the Excitation whose Connections "
+             "name this one).")
       .required()
       .text("Direction", "x",
             "Direction along which it acts: x, -y or three numbers; or rx, -ry and so on for the "
@@ -74,7 +98,7 @@ void declare_connections(parameters::Section &root) {
 
 void add_connections(const parameters::Values &root, Model &model) {
   for (const std::string &name : root.instances("Connection"))
-    model.add_connection(read_connection(root.instance("Connection", name), name, model));
+    model.add_connection(read_connection(root, name, model));
 }
 
 } // namespace vibroimpact::model

@@ -1,5 +1,6 @@
 #include "model/excitation.h"
 
+#include "model/connection.h"
 #include "model/direction.h"
 #include "model/histories.h"
 #include "model/piecewise_function.h"
@@ -40,6 +41,7 @@ HistoryContext read_context(const parameters::Values &root, const std::string &n
           .given = given_quantity(type),
           .moves_base = type.starts_with("base"),
           .dimension = amplitude_dimension(type),
+          .coherent = read_coherence(root, name),
           .file_folder = root.text("File folder"),
           .file_checksums = root.names("File checksums")};
 }
@@ -57,7 +59,23 @@ TimeFunctionPointer read_gravity(const parameters::Values &excitation) {
                        excitation.quantity_of("Amplitude", parameters::dimension::acceleration));
 }
 
+void check_connections(const parameters::Values &root, const parameters::Values &excitation) {
+  const std::string type = excitation.choice("Type");
+  if (excitation.given("Connections") && !type.starts_with("base"))
+    excitation.reject("Connections", "must not be set when Type = " + type);
+  for (const std::string &name : excitation.names("Connections")) {
+    excitation.require_known("Connections", name, root.instances("Connection"));
+    if (!joins_ground(root.instance("Connection", name)))
+      excitation.reject("Connections", "must name connections between a point and ground, along a "
+                                       "direction; " +
+                                           name + " is none");
+  }
+}
+
+// Where the grounds of connections move, none but those that are named.
 std::vector<std::size_t> read_bodies(const parameters::Values &excitation, const Model &model) {
+  if (excitation.given("Connections") && !excitation.given("Bodies"))
+    return {};
   std::vector<std::string> known;
   for (const auto &body : model.bodies())
     known.push_back(body->name);
@@ -128,7 +146,12 @@ void declare_excitations(parameters::Section &root) {
       .text("At", "",
             "Point the force or torque acts on, or where the unbalance is, as BODY.POINT.")
       .required("Type = force, torque or unbalance")
-      .names("Bodies", "", "Bodies that stand on the moving base or have weight; empty means all.")
+      .names("Bodies", "",
+             "Bodies that stand on the moving base or have weight; empty means all, with "
+             "Connections none.")
+      .names("Connections", "",
+             "Connections to ground whose ground moves, by the part of the motion along theirs: "
+             "supports with motions of their own.")
       .text("Direction", "x",
             "Direction of the force, motion or gravity, or the axis about which a torque acts: x, "
             "-y or three numbers. Of an unbalance: where it is at time zero without Phase.")
@@ -145,6 +168,7 @@ void declare_excitations(parameters::Section &root) {
       .required("History = harmonic or ramped harmonic")
       .quantity("Phase", "0", dimension::angle, range::any, "phi", "Phase at time zero.");
   declare_histories(excitation);
+  declare_coherence(root);
 }
 
 void add_excitations(const parameters::Values &root, const std::vector<std::string> &names,
@@ -153,6 +177,7 @@ void add_excitations(const parameters::Values &root, const std::vector<std::stri
     const parameters::Values excitation = root.instance("Excitation", name);
     const Vector3 direction = read_direction(excitation, "Direction");
     const std::string type = excitation.choice("Type");
+    check_connections(root, excitation);
     if (type == "gravity") {
       model.add_gravity(name, read_gravity(excitation), read_bodies(excitation, model), direction);
       continue;

@@ -1,6 +1,7 @@
 // What the time history of an excitation needs to know about the excitation.
 #pragma once
 
+#include "model/coherence.h"
 #include "model/time_function.h"
 #include "parameters/values.h"
 
@@ -18,6 +19,7 @@ struct HistoryContext {
   Given given = Given::displacement;
   bool moves_base = false; ///< then s'' acts, and must be finite
   parameters::Dimension dimension;
+  CoherentPlaces coherent{};
   std::string file_folder; ///< that file names refer to
   /// "NAME HASH" of files whose content is fixed; others may hold anything.
   std::vector<std::string> file_checksums;

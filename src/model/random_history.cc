@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 
 namespace vibroimpact::model {
 
@@ -40,6 +41,18 @@ public:
 private:
   UniformNumbers numbers_;
 };
+
+std::vector<std::complex<double>> next_of_each(std::vector<NormalPairs> &streams) {
+  std::vector<std::complex<double>> drawn;
+  for (NormalPairs &stream : streams)
+    drawn.push_back(stream.next());
+  return drawn;
+}
+
+std::complex<double> mixed(const std::vector<std::complex<double>> &drawn,
+                           const std::vector<std::complex<double>> &shares) {
+  return std::inner_product(drawn.begin(), drawn.end(), shares.begin(), std::complex<double>());
+}
 
 bool is_fast(std::size_t size) {
   for (const std::size_t factor : {2, 3, 5})
@@ -74,17 +87,14 @@ std::vector<double> random_samples(const RandomDefinition &definition, double &i
   const std::size_t count = random_sample_count(definition);
   interval = sample_interval(definition);
   const double spacing = 2 * pi / (interval * static_cast<double>(count));
-  NormalPairs own(definition.own), common(definition.common);
-  const double share = definition.common_share;
-  const double rest = std::sqrt(1 - share * share);
+  std::vector<NormalPairs> streams(definition.streams.begin(), definition.streams.end());
   std::vector<std::complex<double>> lines(count);
   for (std::size_t k = 1; k < count / 2; ++k) {
-    const std::complex<double> pair =
-        share > 0 ? share * common.next() + rest * own.next() : own.next();
     const double omega = spacing * static_cast<double>(k);
+    const std::vector<std::complex<double>> drawn = next_of_each(streams);
     if (omega >= definition.lowest && omega <= definition.highest)
-      lines[k] = std::sqrt(definition.density(omega) * spacing) * std::conj(pair) *
-                 static_cast<double>(count);
+      lines[k] = std::sqrt(definition.density(omega) * spacing) *
+                 std::conj(mixed(drawn, definition.shares(omega))) * static_cast<double>(count);
   }
   std::vector<double> samples;
   samples.reserve(count);
@@ -123,26 +133,49 @@ void declare_streams(parameters::Section &random) {
       .quantity("Common share", "0", dimension::none, range::fraction, "g",
                 "Of the amplitudes; the coherence of two excitations is the square of the product "
                 "of theirs.");
+  declare_coherent_place(random);
+}
+
+/// The streams, and what the amplitudes take of each.
+void read_streams(const Values &random, const HistoryContext &context,
+                  RandomDefinition &definition) {
+  const RandomStream own{.seed = static_cast<std::uint64_t>(random.integer("Seed")),
+                         .member = static_cast<std::uint64_t>(random.integer("Member")),
+                         .name =
+                             random.text("Stream").empty() ? context.name : random.text("Stream")};
+  const auto add = [&](const std::string &name) {
+    definition.streams.push_back(own);
+    definition.streams.back().name = name;
+  };
+  const CoherentPlaces &coherent = context.coherent;
+  if (!coherent.streams.empty()) {
+    for (const std::string &name : coherent.streams)
+      add(name);
+    definition.shares = [coherent](double omega) { return coherent.shares(omega); };
+    return;
+  }
+  std::vector<std::complex<double>> shares = {1};
+  if (const double share = random.quantity("Common share"); share > 0) {
+    add(random.text("Common stream"));
+    shares = {share, std::sqrt(1 - share * share)};
+  }
+  add(own.name);
+  definition.shares = [shares](double) { return shares; };
 }
 
 /// What the history adds to the times: it begins and ends with it.
 RandomDefinition read_random(const Values &random, const HistoryContext &context) {
   for (const char *key : {"Highest frequency", "Duration"})
     random.require(key);
-  const RandomStream stream{.seed = static_cast<std::uint64_t>(random.integer("Seed")),
-                            .member = static_cast<std::uint64_t>(random.integer("Member")),
-                            .name = random.text("Stream").empty() ? context.name
-                                                                  : random.text("Stream")};
   RandomDefinition definition{.density = read_spectral_density(random, context.dimension),
                               .lowest = random.quantity("Lowest frequency"),
                               .highest = random.quantity("Highest frequency"),
                               .duration = random.quantity("Duration"),
                               .samples_per_period = random.quantity("Samples per period"),
-                              .own = stream,
-                              .common = stream,
-                              .common_share = random.quantity("Common share"),
+                              .streams = {},
+                              .shares = {},
                               .rise = random.quantity("Rise time")};
-  definition.common.name = random.text("Common stream");
+  read_streams(random, context, definition);
   definition.decay_from =
       random.has("Decay from") ? random.quantity("Decay from") : definition.duration * 2;
   if (random.has("Decay from"))
@@ -159,7 +192,7 @@ void check_random(const Values &random, const RandomDefinition &definition) {
     random.reject("Decay rate", "must not be set without Decay from");
   if (definition.decay_from < definition.rise)
     random.reject("Decay from", "must not lie before Rise time");
-  if (random.given("Common share") && definition.common.name.empty())
+  if (random.given("Common share") && random.text("Common stream").empty())
     random.reject("Common share", "must not be set without Common stream");
   const double count = definition.duration / sample_interval(definition);
   if (count > static_cast<double>(most_samples))

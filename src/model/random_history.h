@@ -9,9 +9,10 @@
 // fast Fourier transform at a fraction of the shortest period and goes between these samples by a
 // cubic spline, which is the closed form that the exact integration takes.
 //
-// Amplitudes depend on seed, member and stream alone. A stream can be common in part to several
-// excitations: with A = g C + sqrt(1 - g^2) D, C of the common stream and D of the own one, two
-// excitations of shares g and h have the coherence (g h)^2.
+// Amplitudes depend on seed, member and streams alone. An excitation takes shares of several
+// streams: with A = g C + sqrt(1 - g^2) D, C of a stream that others have too and D of its own, two
+// excitations of shares g and h have the coherence (g h)^2. Shares that change with the frequency:
+// coherence.h.
 //
 //   w = (t / rise)^2 for t < rise, exp(-rate (t - from)) for t > from, else 1   (Jennings 1968)
 #pragma once
@@ -19,7 +20,9 @@
 #include "model/history.h"
 #include "model/spectral_density.h"
 
+#include <complex>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,18 +34,21 @@ struct RandomStream {
   std::string name;
 };
 
+/// What A + i B at an angular frequency [rad/s] takes of each stream; the squares of their
+/// magnitudes add up to 1.
+using StreamShares = std::function<std::vector<std::complex<double>>(double omega)>;
+
 struct RandomDefinition {
   SpectralDensity density;
   double lowest = 0;             ///< [rad/s]
   double highest = 0;            ///< > lowest [rad/s]
   double duration = 0;           ///< > 0 [s]
   double samples_per_period = 8; ///< of the highest frequency
-  RandomStream own;
-  RandomStream common;     ///< not used where the share is 0
-  double common_share = 0; ///< 0 to 1
-  double rise = 0;         ///< [s]
-  double decay_from = 0;   ///< [s]
-  double decay_rate = 0;   ///< [1/s]
+  std::vector<RandomStream> streams;
+  StreamShares shares;
+  double rise = 0;       ///< [s]
+  double decay_from = 0; ///< [s]
+  double decay_rate = 0; ///< [1/s]
 };
 
 /// Number of samples; of the form 2^a 3^b 5^c and even.

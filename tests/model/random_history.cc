@@ -3,6 +3,7 @@
 #include "model/random_history.h"
 
 #include "common/fourier.h"
+#include "model/coherence.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +22,25 @@ RandomDefinition definition() {
           .highest = 50,
           .duration = 100,
           .samples_per_period = 8,
-          .own = {.seed = 7, .member = 1, .name = "noise"},
-          .common = {.seed = 7, .member = 1, .name = "shared"},
+          .streams = {{.seed = 7, .member = 1, .name = "noise"}},
+          .shares = [](double) { return std::vector<std::complex<double>>{1}; },
           .decay_from = 200};
+}
+
+/// Takes a share of a common stream.
+RandomDefinition partly_common(double share, const std::string &own) {
+  RandomDefinition of = definition();
+  of.streams = {{7, 1, "shared"}, {7, 1, own}};
+  of.shares = [share](double) {
+    return std::vector<std::complex<double>>{share, std::sqrt(1 - share * share)};
+  };
+  return of;
+}
+
+RandomDefinition of_member(RandomDefinition of, std::uint64_t member) {
+  for (RandomStream &stream : of.streams)
+    stream.member = member;
+  return of;
 }
 
 std::vector<double> samples_of(const RandomDefinition &of) {
@@ -55,9 +72,7 @@ std::vector<std::complex<double>> amplitudes(const RandomDefinition &of) {
 TEST(RandomHistoryTest, AmplitudesAreNormalWithTheGivenDensity) {
   double first = 0, second = 0, fourth = 0, products = 0, count = 0;
   for (std::uint64_t member = 1; member <= 20; ++member) {
-    RandomDefinition of = definition();
-    of.own.member = member;
-    for (const std::complex<double> &amplitude : amplitudes(of)) {
+    for (const std::complex<double> &amplitude : amplitudes(of_member(definition(), member))) {
       products += amplitude.real() * amplitude.imag();
       for (const double x : {amplitude.real(), amplitude.imag()}) {
         first += x;
@@ -85,31 +100,123 @@ TEST(RandomHistoryTest, DependsOnSeedMemberAndStreamAlone) {
   for (const RandomStream &other :
        {RandomStream{8, 1, "noise"}, RandomStream{7, 2, "noise"}, RandomStream{7, 1, "other"}}) {
     RandomDefinition changed = of;
-    changed.own = other;
+    changed.streams = {other};
     EXPECT_NE(samples_of(changed).front(), once.front());
   }
 }
 
-TEST(RandomHistoryTest, CommonStreamsMakeCoherence) {
-  RandomDefinition one = definition(), other = definition();
-  one.common_share = 0.9;
-  other.common_share = 0.7;
-  other.own.name = "second";
-  std::complex<double> cross = 0;
-  double squares = 0, other_squares = 0, count = 0;
+/// Lines of twenty members, one behind the other, with their frequencies [rad/s]; c = A - i B.
+struct Lines {
+  std::vector<double> omega;
+  std::vector<std::complex<double>> value;
+};
+
+Lines lines_of_members(const RandomDefinition &of) {
+  double interval = 0;
+  const auto size = static_cast<double>(random_samples(of, interval).size());
+  const double spacing = 2 * pi / (interval * size);
+  Lines lines;
   for (std::uint64_t member = 1; member <= 20; ++member) {
-    one.own.member = one.common.member = other.own.member = other.common.member = member;
-    const auto a = amplitudes(one), b = amplitudes(other);
-    for (std::size_t k = 0; k < a.size(); ++k, ++count) {
-      cross += a[k] * std::conj(b[k]);
-      squares += std::norm(a[k]);
-      other_squares += std::norm(b[k]);
+    double omega = spacing * std::ceil(of.lowest / spacing);
+    for (const std::complex<double> &value : amplitudes(of_member(of, member))) {
+      lines.omega.push_back(omega);
+      lines.value.push_back(value);
+      omega += spacing;
     }
   }
-  const double coherence = std::norm(cross) / (squares * other_squares);
-  EXPECT_NEAR(coherence, std::pow(0.9 * 0.7, 2), 4 / std::sqrt(count));
-  other.common_share = one.common_share = 1; // then both are the common one
-  EXPECT_EQ(samples_of(one), samples_of(other));
+  return lines;
+}
+
+struct Coherency {
+  std::complex<double> value;
+  double count = 0;
+};
+
+/// E[a conj(b)] over the root mean squares, of the lines between two frequencies; turned by `later`
+/// [s], the time by which the first comes behind the second.
+Coherency coherency(const Lines &a, const Lines &b, double lowest, double highest, double later) {
+  std::complex<double> cross = 0;
+  double squares = 0, other_squares = 0, count = 0;
+  for (std::size_t k = 0; k < a.omega.size(); ++k) {
+    if (a.omega[k] < lowest || a.omega[k] > highest)
+      continue;
+    cross += a.value[k] * std::conj(b.value[k]) * std::polar(1.0, a.omega[k] * later);
+    squares += std::norm(a.value[k]);
+    other_squares += std::norm(b.value[k]);
+    ++count;
+  }
+  return {cross / std::sqrt(squares * other_squares), count};
+}
+
+TEST(RandomHistoryTest, CommonStreamsMakeCoherence) {
+  const Coherency found = coherency(lines_of_members(partly_common(0.9, "noise")),
+                                    lines_of_members(partly_common(0.7, "second")), 0, 100, 0);
+  EXPECT_NEAR(std::norm(found.value), std::pow(0.9 * 0.7, 2), 4 / std::sqrt(found.count));
+  // with a share of 1 both are the common one
+  EXPECT_EQ(samples_of(partly_common(1, "noise")), samples_of(partly_common(1, "second")));
+}
+
+/// The excitation at the last of the places.
+RandomDefinition at_places(const std::vector<double> &x, double slowness) {
+  RandomDefinition of = definition();
+  CoherentPlaces coherent{.law = [](double argument) { return std::exp(-argument); },
+                          .decay_per_speed = 0.02,
+                          .slowness = {slowness, 0, 0},
+                          .streams = {},
+                          .places = {}};
+  of.streams.clear();
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    coherent.streams.push_back("place " + std::to_string(k));
+    coherent.places.emplace_back(x[k], 3, -1);
+    of.streams.push_back({.seed = 7, .member = 1, .name = coherent.streams.back()});
+  }
+  of.shares = [coherent](double omega) { return coherent.shares(omega); };
+  return of;
+}
+
+// In bands of the frequency, over which the law changes by less than the standard error.
+TEST(RandomHistoryTest, CoherenceFallsWithFrequencyAndDistanceBehindAWave) {
+  const std::vector<double> x = {0, 2, 7};
+  const double slowness = 0.05;
+  std::vector<Lines> lines;
+  for (std::size_t k = 1; k <= x.size(); ++k)
+    lines.push_back(lines_of_members(
+        at_places({x.begin(), x.begin() + static_cast<std::ptrdiff_t>(k)}, slowness)));
+  for (std::size_t i = 1; i < x.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (double lowest = 2; lowest < 50; lowest += 4) {
+        const double distance = x[i] - x[j];
+        const Coherency found =
+            coherency(lines[i], lines[j], lowest, lowest + 4, slowness * distance);
+        const double expected = std::exp(-0.02 * (lowest + 2) * distance);
+        EXPECT_NEAR(found.value.real(), expected, 4 / std::sqrt(2 * found.count));
+        EXPECT_NEAR(found.value.imag(), 0, 4 / std::sqrt(2 * found.count));
+      }
+}
+
+TEST(RandomHistoryTest, OnePlaceHasOneMotion) {
+  const std::vector<double> first = samples_of(at_places({4}, 0)),
+                            same = samples_of(at_places({4, 4}, 0)),
+                            again = samples_of(at_places({4, 9, 4}, 0));
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    EXPECT_EQ(first[k], same[k]);
+    EXPECT_NEAR(first[k], again[k], 1e-12);
+  }
+}
+
+// A wave alone brings the same motion later: by whole samples.
+TEST(RandomHistoryTest, AWaveIsADelay) {
+  RandomDefinition later = at_places({0, 6}, 0);
+  double interval = 0;
+  const std::vector<double> first = random_samples(at_places({0}, 0), interval);
+  CoherentPlaces coherent{.law = [](double) { return 1.0; },
+                          .slowness = {5 * interval / 6, 0, 0},
+                          .streams = {"place 0", "place 1"},
+                          .places = {{0, 0, 0}, {6, 0, 0}}};
+  later.shares = [coherent](double omega) { return coherent.shares(omega); };
+  const std::vector<double> second = samples_of(later);
+  for (std::size_t k = 5; k < first.size(); ++k)
+    EXPECT_NEAR(second[k], first[k - 5], 1e-11);
 }
 
 TEST(RandomHistoryTest, Envelope) {

@@ -3,11 +3,14 @@
 #include "contact/laws/kelvin_voigt.h"
 #include "contact/laws/kelvin_voigt_bumper.h"
 #include "model/piecewise_function.h"
+#include "model/recorded_history.h"
 #include "motion/path/trajectory.h"
 #include "support/lumped_models.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace vibroimpact::motion {
@@ -91,6 +94,33 @@ TEST(EnergyBalanceTest, ADecayThatIsOverSetsNoSteps) {
     EXPECT_GT(trajectory.accuracy().events, 10) << recovery;
     EXPECT_LT(trajectory.accuracy().steps, 2000) << recovery;
     EXPECT_LT(trajectory.accuracy().energy_residual, 1e-12) << recovery;
+  }
+}
+
+// Cubic polynomials of which the third derivative is h^-3 times the force: the response without the
+// free vibration is (e h)^-3 = 300 to 15 000 times the motion. The state is rounded to that many
+// times epsilon where the polynomial changes; the energies, in which it counts squared, must not
+// be.
+TEST(EnergyBalanceTest, ClosesUnderARecordThatIsFasterThanTheModes) {
+  for (const double interval : {0.15, 0.08, 0.04}) {
+    Samples force;
+    for (int k = 0; k <= 1000; ++k) {
+      force.time.push_back(interval * k);
+      force.value.push_back(std::sin(0.7 * k) + std::cos(1.1 * k * k));
+    }
+    Model model({single_mass("block", 1, 1, 0.1)});
+    model.add_force(
+        "force",
+        make_recorded(Given::displacement, force, Interpolation::cubic_spline, OutsideRecord::zero),
+        {.body = 0, .point = 0}, Vector3::UnitX());
+    const ContactSet none;
+    Trajectory trajectory(model, none, Settings{});
+    Nobody nobody;
+    trajectory.start(0, Vector::Zero(1), Vector::Zero(1));
+    trajectory.advance(900 * interval, nobody);
+    EXPECT_LT(trajectory.accuracy().energy_residual,
+              8 * std::numeric_limits<double>::epsilon() / std::pow(interval, 3))
+        << interval;
   }
 }
 

@@ -4,7 +4,7 @@
 A member of the noise is a sum of lines at k dw with variances G dw, and a cubic spline between its samples, which multiplies
 line k by (sin(x/2) / (x/2))^4 3 / (2 + cos x), x = k dw times the interval. In the stationary window the mean square of a response
 H(w) is therefore on average the sum over the lines of |H|^2 G dw. The cantilever's H is that of its first three modes of
-Euler and Bernoulli's beam.
+Euler and Bernoulli's beam. Of two motions with the cross-spectrum gamma G it is the sum of H^H gamma H G dw.
 
 Where every damping c_i has white noise of the density 2 c_i T / pi beside it, displacements and velocities of any elastic system
 have the density exp(-H / T) / Z, H the energy (Gibbs): variances, forces and shares in contact are integrals over the plane of the
@@ -79,10 +79,57 @@ def add_mean(table, quantity, reference, values):
     table.add(f"{quantity} (standard error {error:.1e})", reference, values.mean(), ALLOWED * error, absolute=True)
 
 
+def exact_periodogram(frequencies, window=100.0, samples=512):
+    """Mean periodogram of the driven oscillator by angular frequency: what the finite window makes of the lines of the noise."""
+    omega, variance = lines()
+    power = numpy.abs(responses()["driven.mass/displacement_x"](omega))**2 * variance
+    times = numpy.arange(samples) * window / samples
+
+    def seen(difference):
+        return numpy.abs(numpy.exp(1j * difference[:, None] * times).sum(axis=1) / samples)**2
+
+    return numpy.array([(power * (seen(omega - f) + seen(omega + f))).sum() * window / (2 * numpy.pi) for f in frequencies])
+
+
+def check_spectrum(table, analysis):
+    frequencies = analysis["spectrum/frequency"][0]
+    wanted = numpy.flatnonzero((frequencies > 0.3) & (frequencies < 4))
+    exact = exact_periodogram(frequencies[wanted])
+    density, error = analysis["derived/density"][wanted], analysis["derived/density_error"][wanted]
+    for i in range(0, len(wanted), 15):
+        table.add(f"spectral density of the driven mass at {frequencies[wanted[i]]:g} (standard error {error[i]:.1e})", exact[i],
+                  density[i], ALLOWED * error[i], absolute=True)
+    table.add(f"mean of the squared distances in standard errors of {len(wanted)} lines is about 1", 1,
+              numpy.mean(((density - exact) / error)**2), 0.7, absolute=True)
+
+
 def check_structures(table):
-    found = table.run("verification/random-structures.prm", "structures")["analysis/members/point"]
+    found = table.run("verification/random-structures.prm", "structures")["analysis/members"]
     for name, square in exact_squares().items():
-        add_mean(table, f"mean square of {name.replace('/', ', ')}", square, found[f"{name}/rms"][:] ** 2)
+        add_mean(table, f"mean square of {name.replace('/', ', ')}", square, found[f"point/{name}/rms"][:] ** 2)
+    check_spectrum(table, found)
+
+
+def bar_on_supports(omega):
+    """Of the ends of the bar and of the springs below them, the response to each of the two grounds: 4 x 2 x lines."""
+    rows = numpy.array([[1.0, -1.0], [1.0, 1.5]])
+    forces = numpy.array([3 + 0.6j * omega, 5 + 0.4j * omega])  # of the springs by their elongation
+    dynamic = (-omega**2)[:, None, None] * numpy.diag([2.0, 0.7]) + numpy.einsum("sw,sa,sb->wab", forces, rows, rows)
+    motion = numpy.linalg.solve(dynamic, numpy.einsum("sw,sa->was", forces, rows))
+    ends = numpy.einsum("ea,was->wes", rows, motion)
+    return numpy.moveaxis(numpy.concatenate([ends, numpy.eye(2) - ends], axis=1), 0, 2)
+
+
+def check_supports(table):
+    omega, variance = lines()
+    later = numpy.exp(-1j * omega * 2.5 / 4)  # of the east behind the west
+    cross = numpy.exp(-0.3 * omega * 2.5 / 2) * numpy.conj(later)
+    response = bar_on_supports(omega)
+    power = (numpy.abs(response)**2).sum(axis=1) + 2 * (response[:, 0] * cross * numpy.conj(response[:, 1])).real
+    found = table.run("verification/random-supports.prm", "supports")["analysis/members"]
+    names = ("point/bar.west/displacement_y", "point/bar.east/displacement_y", "connection/west/elongation", "connection/east/elongation")
+    for name, squares in zip(names, power * variance):
+        add_mean(table, f"supports: mean square of {name.replace('/', ', ')}", squares.sum(), found[f"{name}/rms"][:] ** 2)
 
 
 # Displacements of the two masses, gap of the stop and the energy it stores by its indentation.
@@ -178,6 +225,7 @@ def check_coverage(table):
 
 def check(table):
     check_structures(table)
+    check_supports(table)
     check_pair(table)
     if table.arguments.all:
         check_coverage(table)

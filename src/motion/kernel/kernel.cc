@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <stdexcept>
@@ -25,6 +26,34 @@ const Kernel &chosen() {
                            " is none of avx512, avx2, plain that this machine has");
 }
 
+bool strictly_upper(const double *b, int size) {
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j <= i; ++j)
+      if (b[i * size + j] != 0)
+        return false;
+  return true;
+}
+
+// B^size = 0: the sum over k < size of (B t)^k x / k!. Row i of B sees later entries only, so that
+// each power overwrites the one before.
+void turn_by_series(const double *b, int size, double time, const double *from, double *to) {
+  constexpr int small = 16;
+  std::array<double, small> on_stack;
+  Vector elsewhere(size > small ? size : 0);
+  double *const power = size > small ? elsewhere.data() : on_stack.data();
+  std::copy_n(from, size, power);
+  if (to != from)
+    std::copy_n(from, size, to);
+  for (int k = 1; k < size; ++k)
+    for (int i = 0; i < size; ++i) {
+      double sum = 0;
+      for (int j = i + 1; j < size; ++j)
+        sum += b[i * size + j] * power[j];
+      power[i] = sum * (time / k);
+      to[i] += power[i];
+    }
+}
+
 } // namespace
 
 bool machine_has(const Kernel &kernel) {
@@ -42,13 +71,12 @@ const Kernel &kernel() {
   return fastest;
 }
 
-void dense_exponential(const double *generator, int size, double time, double *result) {
-  const Eigen::Map<const RowMajor> b(generator, size, size);
-  Eigen::Map<RowMajor>(result, size, size) = exponential(time * b);
-}
-
-void turn_large_block(const double *generator, int size, double time, const double *from,
+void turn_dense_block(const double *generator, int size, double time, const double *from,
                       double *to) {
+  if (strictly_upper(generator, size)) {
+    turn_by_series(generator, size, time, from, to);
+    return;
+  }
   const Eigen::Map<const RowMajor> b(generator, size, size);
   const Vector turned = exponential(time * b) * ConstVectorView(from, size);
   Eigen::Map<Eigen::VectorXd>(to, size) = turned;

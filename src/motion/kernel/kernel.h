@@ -197,10 +197,8 @@ const Kernel &kernel();
 extern const Kernel kernel_avx512, kernel_avx2, kernel_plain;
 bool machine_has(const Kernel &kernel);
 
-/// exp(B t) of a dense block, row by row.
-void dense_exponential(const double *generator, int size, double time, double *result);
-/// exp(B t) x of a block of any size; from and to may be the same.
-void turn_large_block(const double *generator, int size, double time, const double *from,
+/// exp(B t) x of a dense block; from and to may be the same.
+void turn_dense_block(const double *generator, int size, double time, const double *from,
                       double *to);
 
 } // namespace vibroimpact::motion

@@ -231,7 +231,7 @@ inline void bound_reach(const PhaseView &p, const OutputsView &o, const double *
     const int size = p.dense[d].size;
     for (int i = first; i < first + size; ++i)
       reach[i] = __builtin_fabs(start[i]);
-    turn_large_block(generator, size, h, reach + first, reach + first);
+    turn_dense_block(generator, size, h, reach + first, reach + first);
     for (int i = first; i < first + size; ++i)
       reach[i] = reach[i] < no_bound ? reach[i] : no_bound;
     generator += size * size;

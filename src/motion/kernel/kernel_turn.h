@@ -59,15 +59,9 @@ inline void turn(const PhaseView &p, const double *from, double t, double *to) {
     store(to + b, fused_minus(im, s, re * c));
     store(to + n + b, fused(im, c, re * s));
   }
-  double e[64];
   for (int d = 0; d < p.n_dense; ++d) {
     const DenseBlockView &block = p.dense[d];
-    if (block.size <= 8) {
-      dense_exponential(block.generator, block.size, t, e);
-      turn_dense(e, block, from, to);
-    } else {
-      turn_large_block(block.generator, block.size, t, from + block.first, to + block.first);
-    }
+    turn_dense_block(block.generator, block.size, t, from + block.first, to + block.first);
   }
 }
 
@@ -93,7 +87,7 @@ inline void turn_little(const PhaseView &p, double t, double *amplitudes) {
   }
   for (int d = 0; d < p.n_dense; ++d) {
     const DenseBlockView &block = p.dense[d];
-    turn_large_block(block.generator, block.size, t, amplitudes + block.first,
+    turn_dense_block(block.generator, block.size, t, amplitudes + block.first,
                      amplitudes + block.first);
   }
 }

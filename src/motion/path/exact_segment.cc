@@ -123,9 +123,11 @@ void ExactSegment::begin(const double *amplitudes, bool anew) {
   constexpr double counts = 1e-3;
   take_magnitudes(amplitudes);
   for (std::size_t k = 0; k < reached_.size(); ++k) {
-    const Vector now = sizes_[k] * magnitudes_;
-    const bool before = !anew && reached_[k].size() == now.size();
-    reached_[k] = before ? Vector(now.cwiseMax(counts * reached_[k])) : now;
+    errors_.noalias() = sizes_[k] * magnitudes_; // now
+    if (!anew && reached_[k].size() == errors_.size())
+      reached_[k] = errors_.cwiseMax(counts * reached_[k]);
+    else
+      reached_[k] = errors_;
   }
 }
 

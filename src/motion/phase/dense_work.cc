@@ -7,7 +7,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace vibroimpact::motion {
@@ -25,7 +24,9 @@ double radius(const PhaseGroup &group) {
                                         : std::abs(group.exponent);
 }
 
-Complex exponential(Complex z) { return std::polar(std::exp(z.real()), z.imag()); }
+Complex amplitude_of(const std::vector<std::size_t> &places, const double *amplitudes) {
+  return {amplitudes[places[0]], places.size() > 1 ? amplitudes[places[1]] : 0};
+}
 
 } // namespace
 
@@ -36,24 +37,39 @@ DenseWork::DenseWork(const PowerForms &powers, const ExactPhase &phase)
 
 void DenseWork::renew() {
   seen_.clear();
-  mixed_.clear();
-  quadrature_.clear();
-  followed_.clear();
-  fastest_ = 0;
   if (!phase_.has_dense())
     return;
-  for (const PhaseGroup &group : phase_.groups())
+  const std::vector<PhaseGroup> &groups = phase_.groups();
+  double fastest_dense = 0;
+  for (const PhaseGroup &group : groups) {
     seen_.push_back(seen(group));
-  moved_.resize(seen_.size());
-  list_products();
+    if (group.kind == BlockKind::dense)
+      fastest_dense = std::max(fastest_dense, radius(group));
+  }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    Seen &group = seen_[g];
+    group.fastest = radius(groups[g]) + fastest_dense;
+    group.closed = !group.dense;
+    for (std::size_t block = 0; block < groups.size() && group.closed; ++block)
+      if (seen_[block].dense)
+        group.closed = integrate_mixed(group, groups[g].exponent, block);
+    if (!group.closed)
+      group.mixed.clear();
+  }
+  const auto n_powers = static_cast<Index>(powers_.size());
+  for (Forms *forms : {&of_dense_, &of_others_}) {
+    forms->first.resize(n_powers);
+    forms->second.resize(n_powers);
+  }
 }
 
 std::size_t DenseWork::bytes() const {
   std::size_t sum = 0;
-  for (const Seen &seen : seen_)
+  for (const Seen &seen : seen_) {
     sum += bytes_of(seen.first, seen.second);
-  for (const Mixed &mixed : mixed_)
-    sum += bytes_of(mixed.coefficients);
+    for (const Mixed &mixed : seen.mixed)
+      sum += bytes_of(mixed.coefficients);
+  }
   return sum;
 }
 
@@ -61,7 +77,11 @@ std::size_t DenseWork::bytes() const {
 DenseWork::Seen DenseWork::seen(const PhaseGroup &group) const {
   const auto n_powers = static_cast<Index>(powers_.size());
   const auto size = static_cast<Index>(group.coordinates.size());
-  Seen seen{Matrix(n_powers, size), Matrix(n_powers, size)};
+  Seen seen{.first = Matrix(n_powers, size),
+            .second = Matrix(n_powers, size),
+            .places = {},
+            .dense = group.kind == BlockKind::dense,
+            .mixed = {}};
   for (Index c = 0; c < size; ++c) {
     const Index coordinate = group.coordinates[static_cast<std::size_t>(c)];
     const bool is_one = coordinate == phase_.n_modes();
@@ -72,117 +92,99 @@ DenseWork::Seen DenseWork::seen(const PhaseGroup &group) const {
       seen.first(p, c) = all[2 * p];
       seen.second(p, c) = all[2 * p + 1];
     }
+    seen.places.push_back(
+        static_cast<std::size_t>(phase_.places()[static_cast<std::size_t>(coordinate)]));
   }
   return seen;
 }
 
-void DenseWork::list_products() {
-  const std::vector<PhaseGroup> &groups = phase_.groups();
-  std::vector<char> is_followed(groups.size(), 0);
-  for (std::size_t block = 0; block < groups.size(); ++block) {
-    if (groups[block].kind != BlockKind::dense)
-      continue;
-    for (std::size_t other = 0; other <= block; ++other) {
-      if (groups[other].kind != BlockKind::dense && integrate_mixed(other, block))
-        continue;
-      quadrature_.push_back({other, block});
-      is_followed[other] = is_followed[block] = 1;
-      fastest_ = std::max(fastest_, radius(groups[other]) + radius(groups[block]));
-    }
-  }
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    if (is_followed[g] != 0)
-      followed_.push_back(g);
-}
-
 // Re(c z) (d x) + (b x) Re(a z) = Re((c d + a b) z x) for the rows c, a of the group and d, b of
 // the block. False: next to singular.
-bool DenseWork::integrate_mixed(std::size_t group, std::size_t block) {
-  const PhaseGroup &of = phase_.groups()[group];
+bool DenseWork::integrate_mixed(Seen &group, Complex exponent, std::size_t block) const {
   const Matrix &b = phase_.groups()[block].generator;
   // By its norm: rounding makes of the double zero of a free body a pair next to zero.
-  const double size = std::abs(of.exponent) + b.norm();
-  const ComplexVector sums = (eigenvalues(b).array() + of.exponent).matrix();
+  const double size = std::abs(exponent) + b.norm();
+  const ComplexVector sums = (eigenvalues(b).array() + exponent).matrix();
   if (!(sums.cwiseAbs().minCoeff() > next_to_singular * size))
     return false;
   const Eigen::MatrixXcd shifted =
-      of.exponent * Eigen::MatrixXcd::Identity(b.rows(), b.cols()) + b.cast<Complex>();
+      exponent * Eigen::MatrixXcd::Identity(b.rows(), b.cols()) + b.cast<Complex>();
   const auto complex_column = [&](const Matrix &rows) -> ComplexVector {
     ComplexVector column = rows.col(0).cast<Complex>();
-    if (of.kind == BlockKind::pair)
+    if (rows.cols() > 1)
       column -= Complex(0, 1) * rows.col(1).cast<Complex>();
     return column;
   };
-  const ComplexVector first = complex_column(seen_[group].first);
-  const ComplexVector second = complex_column(seen_[group].second);
+  const ComplexVector first = complex_column(group.first);
+  const ComplexVector second = complex_column(group.second);
   const Eigen::MatrixXcd products =
       first.asDiagonal() * seen_[block].second.cast<Complex>() +
       (second.asDiagonal() * seen_[block].first.cast<Complex>()).eval();
-  mixed_.push_back({.group = group,
-                    .block = block,
-                    .coefficients = products * LuFactors<ComplexMatrix>(shifted).inverse()});
+  group.mixed.push_back(
+      {.block = block, .coefficients = products * LuFactors<ComplexMatrix>(shifted).inverse()});
   return true;
 }
 
-Complex DenseWork::amplitude(std::size_t group, const double *amplitudes) const {
-  const PhaseGroup &of = phase_.groups()[group];
-  const double imaginary =
-      of.kind == BlockKind::pair ? amplitudes[phase_.view().n_padded + of.first] : 0;
-  return {amplitudes[of.first], imaginary};
-}
-
-Vector DenseWork::coordinates(std::size_t group, const double *amplitudes) const {
-  const std::vector<Index> &list = phase_.groups()[group].coordinates;
-  Vector x(static_cast<Index>(list.size()));
-  for (std::size_t c = 0; c < list.size(); ++c)
-    x[static_cast<Index>(c)] = amplitudes[phase_.places()[static_cast<std::size_t>(list[c])]];
+Vector DenseWork::coordinates(const Seen &of, const double *amplitudes) const {
+  Vector x(static_cast<Index>(of.places.size()));
+  for (std::size_t c = 0; c < of.places.size(); ++c)
+    x[static_cast<Index>(c)] = amplitudes[of.places[c]];
   return x;
 }
 
-void DenseWork::add_mixed(const double *start, const double *end,
+void DenseWork::add_mixed(std::size_t group, const double *start, const double *end,
                           std::vector<double> &integrals) const {
-  for (const Mixed &product : mixed_) {
+  const std::vector<std::size_t> &places = seen_[group].places;
+  for (const Mixed &product : seen_[group].mixed) {
+    const Seen &block = seen_[product.block];
     const ComplexVector change =
-        amplitude(product.group, end) * coordinates(product.block, end).cast<Complex>() -
-        amplitude(product.group, start) * coordinates(product.block, start).cast<Complex>();
+        amplitude_of(places, end) * coordinates(block, end).cast<Complex>() -
+        amplitude_of(places, start) * coordinates(block, start).cast<Complex>();
     const ComplexVector all = product.coefficients * change;
     for (std::size_t p = 0; p < integrals.size(); ++p)
       integrals[p] += all[static_cast<Index>(p)].real();
   }
 }
 
-void DenseWork::add_node(double weight, std::vector<double> &integrals) const {
-  for (const auto &[group, block] : quadrature_)
-    for (std::size_t p = 0; p < integrals.size(); ++p) {
-      const auto row = static_cast<Index>(p);
-      const auto factor = [&](std::size_t of, const Matrix Seen::*which) {
-        return (seen_[of].*which).row(row).dot(moved_[of]);
-      };
-      double product = factor(group, &Seen::first) * factor(block, &Seen::second);
-      if (group != block)
-        product += factor(block, &Seen::first) * factor(group, &Seen::second);
-      integrals[p] += weight * product;
+void DenseWork::see(const Seen &group, Forms &forms) const {
+  const Index n = forms.first.size();
+  const double *first = group.first.data();
+  const double *second = group.second.data();
+  for (const std::size_t place : group.places) {
+    const double x = turned_[place];
+    for (Index p = 0; p < n; ++p) {
+      forms.first[p] += *first++ * x;
+      forms.second[p] += *second++ * x;
     }
+  }
 }
 
-void DenseWork::add_quadrature(const double *start, double h, std::vector<double> &integrals) {
+void DenseWork::add_node(double weight, bool all, std::vector<double> &integrals) {
+  for (Forms *forms : {&of_dense_, &of_others_}) {
+    forms->first.setZero();
+    forms->second.setZero();
+  }
+  for (const Seen *group : followed_)
+    see(*group, group->dense ? of_dense_ : of_others_);
+  for (std::size_t k = 0; k < integrals.size(); ++k) {
+    const auto p = static_cast<Index>(k);
+    const double first = of_dense_.first[p] + of_others_.first[p];
+    const double second = of_dense_.second[p] + of_others_.second[p];
+    integrals[k] +=
+        weight * (all ? first * second
+                      : of_dense_.first[p] * second + of_others_.first[p] * of_dense_.second[p]);
+  }
+}
+
+void DenseWork::add_quadrature(const double *start, double h, bool all,
+                               std::vector<double> &integrals) {
   using Rule = boost::math::quadrature::gauss<double, points>;
   const double count = std::max(1.0, std::ceil(h * fastest_ / longest_by_exponent));
   const double part = h / count;
+  turned_.resize(phase_.n_amplitudes());
   const auto at = [&](double time, double weight) {
-    for (const std::size_t g : followed_) {
-      const PhaseGroup &group = phase_.groups()[g];
-      if (group.kind == BlockKind::dense) {
-        moved_[g] = vibroimpact::exponential(time * group.generator) * coordinates(g, start);
-      } else {
-        const Complex z = amplitude(g, start) * exponential(group.exponent * time);
-        moved_[g] = coordinates(g, start);
-        moved_[g][0] = z.real();
-        if (group.kind == BlockKind::pair)
-          moved_[g][1] = z.imag();
-      }
-    }
-    add_node(weight, integrals);
+    kernel().turn(phase_.view(), start, time, turned_.data());
+    add_node(weight, all, integrals);
   };
   for (double k = 0; k < count; ++k) {
     leave_if_stopped();
@@ -196,11 +198,31 @@ void DenseWork::add_quadrature(const double *start, double h, std::vector<double
   }
 }
 
+// Up to four panels.
+bool DenseWork::takes_all(double h) const {
+  return std::all_of(seen_.begin(), seen_.end(), [&](const Seen &group) {
+    return h * group.fastest <= 4 * longest_by_exponent;
+  });
+}
+
+bool DenseWork::is_followed(const Seen &group, double h) const {
+  return !group.closed || h * group.fastest <= longest_by_exponent;
+}
+
 void DenseWork::add(const double *start, const double *end, double h,
                     std::vector<double> &integrals) {
-  add_mixed(start, end, integrals);
-  if (!quadrature_.empty())
-    add_quadrature(start, h, integrals);
+  const bool all = takes_all(h);
+  followed_.clear();
+  fastest_ = 0;
+  for (std::size_t g = 0; g < seen_.size(); ++g) {
+    if (!all && !is_followed(seen_[g], h)) {
+      add_mixed(g, start, end, integrals);
+      continue;
+    }
+    followed_.push_back(&seen_[g]);
+    fastest_ = std::max(fastest_, seen_[g].fastest);
+  }
+  add_quadrature(start, h, all, integrals);
 }
 
 } // namespace vibroimpact::motion

@@ -193,8 +193,12 @@ void WorkIntegrals::set_product(std::size_t k) {
 }
 
 void WorkIntegrals::add(const double *start, const double *end, double h, Vector &state) {
-  kernel().integrate(view_, start, end, h, integrals_.data());
-  if (phase_.has_dense()) {
+  const bool dense = phase_.has_dense();
+  if (dense && dense_.takes_all(h))
+    std::fill(integrals_.begin(), integrals_.end(), 0.0);
+  else
+    kernel().integrate(view_, start, end, h, integrals_.data());
+  if (dense) {
     std::fill(of_dense_.begin(), of_dense_.end(), 0.0);
     dense_.add(start, end, h, of_dense_);
     for (std::size_t p = 0; p < of_dense_.size(); ++p)
