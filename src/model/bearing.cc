@@ -41,8 +41,12 @@ Bearing read_bearing(const parameters::Values &section, const std::string &name,
                   .stiffness = two_by_two(section, "Stiffness"),
                   .damping = two_by_two(section, "Damping")};
   const std::array<Vector3, 2> directions = read_directions(section);
-  for (std::size_t d = 0; d < directions.size(); ++d)
+  for (std::size_t d = 0; d < directions.size(); ++d) {
     bearing.elongation[d] = relative_displacement(sides, directions[d], model);
+    if (bearing.elongation[d].row.isZero(0))
+      section.reject(d == 0 ? "First direction" : "Second direction",
+                     "must be a direction along which at least one of the two sides can move");
+  }
   return bearing;
 }
 
