@@ -230,11 +230,14 @@ TEST(Spin, InternalDampingGoesByTheStiffnessOfWhatTurns) {
 // A hinge about y alone bends differently as it turns.
 TEST(Spin, InternalDampingNeedsHingesInBothDirections) {
   BeamDefinition beam = pinned_shaft(6, BeamTheory::rayleigh);
+  beam.supports = {{"left", {"start", {}}, {true, true, true, true, true, true}, {}},
+                   {"right", {"end", {}}, {true, true, true, true, true, true}, {}}};
   structure::Member member{.name = "half", .between = {{0, shaft_length / 2}}};
   member.section = beam.section;
   member.material = beam.material;
   beam.members.push_back(member);
-  structure::Hinge hinge{.name = "joint", .member = "half", .at = {"", Vector3(0.1, 0, 0)}};
+  structure::Hinge hinge{
+      .name = "joint", .member = "half", .at = {"", Vector3(shaft_length / 2, 0, 0)}};
   hinge.free[4] = true;
   beam.hinges.push_back(hinge);
   EXPECT_NO_THROW(reduced(beam, 2));

@@ -192,7 +192,7 @@ TEST(TurningBlade, CoriolisForcesCoupleStretchAndBending) {
   constexpr double eta = 6;
   const Vector exact = frequencies_by_polynomials(stout_blade(1), eta, true);
   const Vector uncoupled = frequencies_by_polynomials(stout_blade(1), eta, false);
-  const Vector coarse = frequencies_of_blade(8, eta), fine = frequencies_of_blade(16, eta);
+  const Vector coarse = frequencies_of_blade(10, eta), fine = frequencies_of_blade(20, eta);
   for (Index j = 0; j < 4; ++j) {
     const double error = std::abs(fine[j] - exact[j]);
     EXPECT_GT(std::abs(uncoupled[j] - exact[j]), 50 * error) << j;
