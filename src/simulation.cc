@@ -12,6 +12,7 @@
 #include "contact/contact_set.h"
 #include "contact/laws.h"
 #include "contact/unknown_flexibility.h"
+#include "model/bearing.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/initial_condition.h"
@@ -52,6 +53,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
             "of the parameter file.");
   reduction::declare_body(*root);
   model::declare_connections(*root);
+  model::declare_bearings(*root);
   contact::declare_connection_laws(*root);
   model::declare_spins(*root);
   contact::declare_contacts(*root);

@@ -3,6 +3,7 @@
 #include "contact/laws/formula_spring.h"
 #include "contact/laws/read_formula.h"
 #include "contact/laws/table_spring.h"
+#include "contact/laws/zener_spring.h"
 #include "model/connection.h"
 #include "model/direction.h"
 
@@ -40,6 +41,13 @@ std::shared_ptr<const ContactLaw> read_formula_spring(const Values &law) {
   return spring;
 }
 
+std::shared_ptr<const ContactLaw> read_law(const Values &section) {
+  const std::string law = section.choice("Law");
+  return law == "table"     ? read_table_spring(section.subsection("Table"))
+         : law == "formula" ? read_formula_spring(section.subsection("Formula"))
+                            : ZenerSpring::create(section);
+}
+
 ContactPair read_pair(const Values &root, const std::string &name, const model::Model &model) {
   const Values section = root.instance("Connection", name);
   const model::MotionAxis axis = model::read_motion_axis(section, "Direction");
@@ -51,9 +59,7 @@ ContactPair read_pair(const Values &root, const std::string &name, const model::
           .side_a = sides.a,
           .side_b = sides.b,
           .gap = model::connection_elongation(root, name, sides, axis, model),
-          .law = section.choice("Law") == "table"
-                     ? read_table_spring(section.subsection("Table"))
-                     : read_formula_spring(section.subsection("Formula")),
+          .law = read_law(section),
           .origin = section.locate("Law"),
           .normal = axis.direction};
 }
@@ -90,6 +96,7 @@ void declare_connection_laws(parameters::Section &root) {
                 "Up to there, in both directions, the formula is checked and holds; a motion that "
                 "goes farther has failed.")
       .required();
+  ZenerSpring::declare(connection);
 }
 
 ContactSet with_connections(const Values &root, const model::Model &model, ContactSet contacts) {

@@ -32,14 +32,18 @@ Matrix unit_rows(Matrix rows) {
 
 Matrix symmetric(const Matrix &a) { return (a + a.transpose()) / 2; }
 
+Matrix projected_skew(const Matrix &skew, const Matrix &shapes) {
+  const Matrix result = shapes.transpose() * skew * shapes;
+  return (result - result.transpose()) / 2;
+}
+
 // Both parts by themselves, so that what is symmetric or skew stays so to the last digit.
 Matrix projected(const Matrix &damping, const Matrix &shapes) {
   Matrix result = symmetric(shapes.transpose() * symmetric(damping) * shapes);
   const Matrix gyroscopic = damping - damping.transpose();
   if (gyroscopic.isZero(0))
     return result;
-  const Matrix skew = shapes.transpose() * gyroscopic * shapes / 2;
-  return result + (skew - skew.transpose()) / 2;
+  return result + projected_skew(gyroscopic, shapes) / 2;
 }
 
 // Twice the strain energy, and what it would be if nothing in the sum cancelled: a motion without
@@ -105,15 +109,19 @@ Vector AssembledModes::damping_ratio() const {
 
 AssembledModes assembled_modes(const Model &model, const AssembledSystem &system) {
   const SymmetricEigen eigen = symmetric_eigen(system.stiffness());
-  AssembledModes modes{
-      .shapes = system.basis() * eigen.vectors, .stiffness = eigen.values, .damping = {}};
+  AssembledModes modes{.shapes = system.basis() * eigen.vectors,
+                       .stiffness = eigen.values,
+                       .damping = {},
+                       .circulatory = {}};
   const Matrix stiffness = model.stiffness().dense();
   // The quotient of Rayleigh has digits that the eigenvalue, with an error of the largest, lacks.
   for (Index j = 0; j < modes.stiffness.size(); ++j)
     modes.stiffness[j] = strain(stiffness, modes.shapes.col(j));
   modes.rigid = (modes.stiffness.array() == 0).count();
   modes.damping = projected(model.damping().dense(), modes.shapes);
-  modes.modal_damping = is_modal(modes.damping);
+  if (model.circulatory().size() > 0)
+    modes.circulatory = projected_skew(model.circulatory(), modes.shapes);
+  modes.modal_damping = is_modal(modes.damping) && modes.circulatory.size() == 0;
   return modes;
 }
 
@@ -126,7 +134,9 @@ DampedModes damped_modes(const AssembledModes &modes) {
   const Vector scale = (size.array() > 0).select(size, 1.0);
   Matrix state = Matrix::Zero(2 * n, 2 * n);
   state.topRightCorner(n, n).diagonal() = scale;
-  state.bottomLeftCorner(n, n).diagonal() = -modes.stiffness.cwiseQuotient(scale);
+  if (modes.circulatory.size() > 0)
+    state.bottomLeftCorner(n, n) = -modes.circulatory * scale.cwiseInverse().asDiagonal();
+  state.bottomLeftCorner(n, n).diagonal() -= modes.stiffness.cwiseQuotient(scale);
   state.bottomRightCorner(n, n) = -modes.damping;
   const GeneralEigen eigen = general_eigen(state);
   if (!eigen.values.allFinite())

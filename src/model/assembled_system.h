@@ -8,8 +8,9 @@
 //
 //   p'' + T^T C T p' + T^T K T p = T^T f
 //
-// Its undamped modes are T times the eigenvectors of T^T K T. Where T^T C T is not diagonal in them
-// the damped motions have complex shapes: eigenvectors of the state [p, p'].
+// Its undamped modes are T times the eigenvectors of the symmetric part of T^T K T. Where T^T C T
+// is not diagonal in them, or circulatory forces make K unsymmetric, the damped motions have
+// complex shapes: eigenvectors of the state [p, p'].
 #pragma once
 
 #include "common/linear_algebra.h"
@@ -27,7 +28,7 @@ public:
 
   Index size() const { return basis_.cols(); }
   const Matrix &basis() const { return basis_; } ///< T, n x size [kg^-1/2]
-  Matrix stiffness() const;                      ///< T^T K T [1/s^2]
+  Matrix stiffness() const;                      ///< T^T K T, its symmetric part [1/s^2]
 
 private:
   const Model &model_;
@@ -36,11 +37,13 @@ private:
 
 /// Modes by rising frequency; all of modal mass 1 kg.
 struct AssembledModes {
-  Matrix shapes;    ///< n x m, coordinates per unit of each mode
-  Vector stiffness; ///< m, squared angular frequencies [1/s^2]; 0 of rigid modes
-  Matrix damping;   ///< m x m, shapes^T C shapes with gyroscopic terms [1/s]
-  Index rigid = 0;  ///< the first of them, which store no energy
-  /// No damping or gyroscopic force between modes: the shapes are those of the damped motions too.
+  Matrix shapes;      ///< n x m, coordinates per unit of each mode
+  Vector stiffness;   ///< m, squared angular frequencies [1/s^2]; 0 of rigid modes
+  Matrix damping;     ///< m x m, shapes^T C shapes with gyroscopic terms [1/s]
+  Matrix circulatory; ///< m x m, skew, likewise of K [1/s^2]; 0 x 0 without
+  Index rigid = 0;    ///< the first of them, which store no energy
+  /// No damping, gyroscopic or circulatory force between modes: the shapes are those of the damped
+  /// motions too.
   bool modal_damping = true;
 
   Vector angular_frequency() const { return stiffness.array().max(0.0).sqrt(); } ///< [rad/s]

@@ -91,9 +91,10 @@ void declare_connections(parameters::Section &root) {
                 "k_\\theta", "Torque per relative rotation [N m/rad].")
       .quantity("Rotational damping", "0 N m s", dimension::rotational_damping, range::non_negative,
                 "c_\\theta", "Torque per relative angular velocity.")
-      .choice("Law", "none", {"none", "table", "formula"},
-              "A tension in addition to these, which the section Table or Formula gives. It is "
-              "reported as the force of a contact that never opens, with the opposite sign.");
+      .choice(
+          "Law", "none", {"none", "table", "formula", "zener"},
+          "A tension in addition to these, which the section Table, Formula or Zener gives. It is "
+          "reported as the force of a contact that never opens, with the opposite sign.");
 }
 
 void add_connections(const parameters::Values &root, Model &model) {

@@ -1,15 +1,8 @@
 #include "model/model.h"
 
-#include "model/piecewise_function.h"
-#include "model/turning_component.h"
-
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
-#include <tuple>
 
 namespace vibroimpact::model {
 
@@ -82,9 +75,15 @@ void Model::add_body_damping() {
 }
 
 void Model::change_damping(double share, double self_excitation) {
+  for (std::size_t k = 0; k < spins_.size(); ++k)
+    if (spins_[k].speed.constant())
+      add_circulatory((share - 1) * spins_[k].speed.at(0) * circulation(k));
+  for (RunUp &run_up : run_ups_)
+    run_up.circulatory *= share;
   for (auto &body : bodies_) {
     ReducedBody changed = *body;
     changed.damping *= share;
+    changed.spin.circulatory *= share;
     changed.damping.diagonal() -= self_excitation * changed.mass;
     body = std::make_shared<const ReducedBody>(std::move(changed));
   }
@@ -92,6 +91,10 @@ void Model::change_damping(double share, double self_excitation) {
   for (std::size_t k = 0; k < spins_.size(); ++k) // gyroscopic forces are no losses
     if (spins_[k].speed.constant())
       damping_.add(spins_[k].speed.at(0) * gyroscopic(k));
+  for (Bearing &bearing : bearings_) {
+    bearing.damping *= share;
+    damping_.add(bearing.rows().transpose() * bearing.damping * bearing.rows());
+  }
   for (Connection &connection : connections_) {
     connection.damping *= share;
     damping_.add(connection.damping, connection.elongation.row);
@@ -181,69 +184,6 @@ void Model::add_rotor(Rotor rotor, const PointReference &at, const Vector3 &firs
     rotor.field_second.push_back(field_[k][at.body].dot(second));
   }
   rotors_.add(std::move(rotor));
-}
-
-void Model::add_unbalance(const std::string &name, double unbalance, const SpinSpeed &speed,
-                          const PointReference &at, const Vector3 &first, double phase) {
-  const Vector3 second = bodies_.at(at.body)->spin.axis.cross(first);
-  constexpr double quarter = std::numbers::pi / 2; // sin x = cos(x - pi/2)
-  for (const auto &[suffix, along, lag] :
-       {std::tuple{"", first, 0.0}, std::tuple{" across", second, quarter}}) {
-    sources_.push_back(
-        {.name = name + suffix,
-         .function = std::make_shared<TurningComponent>(speed, phase - lag),
-         .load = Vector::Zero(size()),
-         .rate_load = Vector::Zero(size()),
-         .inertial_load = -unbalance * displacement(at, along, false).row.transpose()});
-    carried_.emplace_back(bodies_.size(), Vector3::Zero());
-    field_.emplace_back(bodies_.size(), Vector3::Zero());
-  }
-  list_drives();
-}
-
-Matrix Model::gyroscopic(std::size_t spin) const {
-  Matrix matrix = Matrix::Zero(size(), size());
-  for (const std::size_t b : spins_[spin].bodies)
-    matrix.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
-        bodies_[b]->spin.gyroscopic;
-  return matrix;
-}
-
-Matrix Model::centrifugal(std::size_t spin) const {
-  Matrix matrix = Matrix::Zero(size(), size());
-  for (const std::size_t b : spins_[spin].bodies)
-    if (bodies_[b]->spin.rotating_frame)
-      matrix.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
-          bodies_[b]->spin.centrifugal;
-  return matrix;
-}
-
-void Model::add_spin(const Spin &spin) {
-  spins_.push_back(spin);
-  const Matrix matrix = gyroscopic(spins_.size() - 1);
-  if (!spin.speed.constant()) {
-    run_ups_.push_back({.speed = spin.speed, .gyroscopic = matrix});
-    return;
-  }
-  const double speed = spin.speed.at(0);
-  damping_.add(speed * matrix);
-  stiffness_.add(speed * speed * centrifugal(spins_.size() - 1));
-  Vector load = Vector::Zero(size());
-  for (const std::size_t b : spin.bodies)
-    if (bodies_[b]->spin.rotating_frame)
-      load.segment(offsets_[b], bodies_[b]->size()) = bodies_[b]->spin.centrifugal_load;
-  if (!load.isZero(0))
-    add_load(spin.name, make_constant(Given::displacement, speed * speed), load);
-}
-
-void Model::add_run_up_forces(double time, ConstVectorView velocity, VectorView f) const {
-  for (const RunUp &run_up : run_ups_)
-    f -= run_up.speed.at(time) * (run_up.gyroscopic * velocity);
-}
-
-void Model::add_run_up_damping(double time, Matrix &damping) const {
-  for (const RunUp &run_up : run_ups_)
-    damping += run_up.speed.at(time) * run_up.gyroscopic;
 }
 
 void Model::rotor_frame(double time, Vector &frame) const {

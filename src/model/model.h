@@ -6,8 +6,9 @@
 // Coordinates of a body count relative to the base it stands on; a moving base enters through the
 // inertial load and carries its points along. Connections add to K and C, and where one end moves
 // with a base to the loads. Motors of rotors bring first-order states of their own, `drive`. Bodies
-// that turn at a constant speed add gyroscopic terms to C, which is then not symmetric; along a
-// ramp of the speed these are forces that change in time.
+// that turn at a constant speed add gyroscopic terms to C, which is then not symmetric, and
+// circulatory ones to K where their damping turns with them; along a ramp of the speed these are
+// forces that change in time. Bearings whose coefficients join two directions do so likewise.
 #pragma once
 
 #include "common/linear_algebra.h"
@@ -18,6 +19,7 @@
 #include "model/time_function.h"
 #include "reduction/reduced_body.h"
 
+#include <array>
 #include <concepts>
 #include <memory>
 #include <string>
@@ -82,6 +84,18 @@ struct Connection {
   }
 };
 
+/// Springs and dashpots along two directions at right angles, which they join: with e = u_b - u_a
+/// along both, the force K e + C e' pulls the ends together.
+struct Bearing {
+  std::string name;
+  std::string side_a, side_b; ///< as of a connection
+  std::array<Projection, 2> elongation;
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero(); ///< K, need not be symmetric [N/m]
+  Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();   ///< C, likewise [N s/m]
+
+  Matrix rows() const; ///< 2 x n
+};
+
 /// A point of a body in the model.
 struct PointReference {
   std::size_t body = 0;
@@ -111,6 +125,7 @@ public:
 
   /// Sources must be complete before connections and rotors are added.
   void add_connection(Connection connection);
+  void add_bearing(Bearing bearing);
   /// Its bodies have a Spin axis; those in the rotating frame need a constant speed. Before
   /// connections, for centrifugal forces are a source.
   void add_spin(const Spin &spin);
@@ -120,9 +135,9 @@ public:
 
   /// The model at another excitation frequency. std::logic_error when the source has none.
   void set_frequency(std::size_t source, double angular_frequency);
-  /// This share of the damping of bodies and connections is left, and a force pushes each mass by
-  /// `self_excitation` times its momentum [1/s]: C becomes share C - self_excitation M, in the
-  /// bodies too.
+  /// This share of the damping of bodies, connections and bearings is left, and a force pushes each
+  /// mass by `self_excitation` times its momentum [1/s]: C becomes share C - self_excitation M, in
+  /// the bodies too.
   void change_damping(double share, double self_excitation);
 
   Index size() const { return mass_.size(); }
@@ -132,19 +147,30 @@ public:
   /// First coordinate of a body.
   Index offset(std::size_t body) const { return offsets_[body]; }
   const Vector &mass() const { return mass_; }
+  /// Symmetric but for circulatory().
   const LinearForm &stiffness() const { return stiffness_; }
+  /// The skew part of the stiffness, n x n; 0 x 0 without circulatory forces. They have no energy
+  /// and do work: what turns the shaft puts it in.
+  const Matrix &circulatory() const { return circulatory_; }
+  /// Also along a run-up?
+  bool has_circulatory_forces() const;
+  /// Their power -v . circulatory q [W].
+  double circulatory_power(ConstVectorView q, ConstVectorView velocity) const;
   /// Symmetric but for the gyroscopic terms of constant speeds, which do no work.
   const LinearForm &damping() const { return damping_; }
   const std::vector<Source> &sources() const { return sources_; }
   const std::vector<Connection> &connections() const { return connections_; }
+  const std::vector<Bearing> &bearings() const { return bearings_; }
   const RotorSet &rotors() const { return rotors_; }
   /// First-order states of the motors [N m].
   Index n_drive() const { return rotors_.n_drive(); }
   /// True when the equations of motion without contacts are linear.
   bool linear() const { return cubic_.empty() && rotors_.empty() && run_ups_.empty(); }
   const std::vector<Spin> &spins() const { return spins_; }
-  /// What multiplies the speed of a spin: n x n, skew; and its square: symmetric.
+  /// What multiplies the speed of a spin: n x n, skew, of velocities and of displacements; and its
+  /// square: symmetric.
   Matrix gyroscopic(std::size_t spin) const;
+  Matrix circulation(std::size_t spin) const;
   Matrix centrifugal(std::size_t spin) const;
 
   /// f(t), n entries.
@@ -179,9 +205,12 @@ public:
   /// Energy stored in them [J].
   double cubic_energy(double time, ConstVectorView q) const;
 
-  /// f -= gyroscopic forces at the speeds of run-ups.
-  void add_run_up_forces(double time, ConstVectorView velocity, VectorView f) const;
-  /// Their derivative: damping += Omega(t) G, n x n.
+  /// f -= gyroscopic and circulatory forces at the speeds of run-ups. Returns the power of the
+  /// latter [W].
+  double add_run_up_forces(double time, ConstVectorView q, ConstVectorView velocity,
+                           VectorView f) const;
+  /// Their derivatives: stiffness += Omega(t) N, damping += Omega(t) G, n x n.
+  void add_run_up_stiffness(double time, Matrix &stiffness) const;
   void add_run_up_damping(double time, Matrix &damping) const;
 
   /// Index of a body or of a source by name; size of the list when there is none.
@@ -227,7 +256,9 @@ private:
   struct RunUp {
     SpinSpeed speed;
     Matrix gyroscopic;
+    Matrix circulatory; ///< 0 x 0 without internal damping
   };
+  void add_circulatory(const Matrix &skew);
 
   std::vector<std::shared_ptr<const reduction::ReducedBody>> bodies_;
   std::vector<Index> offsets_;
@@ -243,6 +274,8 @@ private:
   std::vector<RunUp> run_ups_;                ///< of the spins whose speed changes
   std::vector<std::vector<Vector3>> carried_; ///< per source, per body: base direction or zero
   std::vector<std::vector<Vector3>> field_;   ///< per source, per body: gravity direction or zero
+  std::vector<Bearing> bearings_;
+  Matrix circulatory_; ///< contained in the stiffness; 0 x 0 without
 };
 
 } // namespace vibroimpact::model

@@ -1,11 +1,12 @@
 // Bodies that turn about their Spin axis at a given speed Omega(t):
 //
-//   M q'' + (C + Omega G) q' + (K + Omega^2 K_c) q = f
+//   M q'' + (C + Omega G) q' + (K + Omega N + Omega^2 K_c) q = f
 //
 // G is skew: gyroscopic moments in the fixed frame, Coriolis forces in the rotating one, where
 // centrifugal forces bring K_c besides. A constant speed makes them parts of the damping and
-// stiffness matrices; along a ramp gyroscopic forces change in time. The torque that changes the
-// speed acts along the axis of each section, so that it brings no moment across.
+// stiffness matrices; along a ramp these forces change in time. N is skew too: circulatory forces
+// of the damping that turns with the body; what turns the shaft puts their work in. The torque that
+// changes the speed acts along the axis of each section, so that it brings no moment across.
 #pragma once
 
 #include "model/spin_speed.h"

@@ -51,6 +51,12 @@ WhirlingSystem::WhirlingSystem(const Model &model, const AssembledSystem &system
     : model_(model), modes_(assembled_modes(model, system)) {
   const Matrix matrix = modes_.shapes.transpose() * model.gyroscopic(spin) * modes_.shapes;
   gyroscopic_ = (matrix - matrix.transpose()) / 2;
+  if (const Matrix circulation = model.circulation(spin); !circulation.isZero(0)) {
+    const Matrix projected = modes_.shapes.transpose() * circulation * modes_.shapes;
+    circulatory_ = (projected - projected.transpose()) / 2;
+    if (modes_.circulatory.size() == 0)
+      modes_.circulatory = Matrix::Zero(circulatory_.rows(), circulatory_.cols());
+  }
   if (const Matrix stiffness = model.centrifugal(spin); !stiffness.isZero(0))
     centrifugal_ = modes_.shapes.transpose() * stiffness * modes_.shapes;
   if (const SpinSpeed &speed = model.spins()[spin].speed; speed.constant())
@@ -60,6 +66,8 @@ WhirlingSystem::WhirlingSystem(const Model &model, const AssembledSystem &system
 DampedModes WhirlingSystem::at(double speed) const {
   AssembledModes modes = modes_;
   modes.damping += (speed - speed_) * gyroscopic_;
+  if (circulatory_.size() > 0)
+    modes.circulatory += (speed - speed_) * circulatory_;
   if (centrifugal_.size() > 0) {
     const Matrix stiffness =
         Matrix(modes.stiffness.asDiagonal()) + (speed * speed - speed_ * speed_) * centrifugal_;
@@ -67,6 +75,8 @@ DampedModes WhirlingSystem::at(double speed) const {
     modes.stiffness = eigen.values;
     modes.shapes *= eigen.vectors;
     modes.damping = (eigen.vectors.transpose() * modes.damping * eigen.vectors).eval();
+    if (modes.circulatory.size() > 0)
+      modes.circulatory = (eigen.vectors.transpose() * modes.circulatory * eigen.vectors).eval();
   }
   return damped_modes(modes);
 }

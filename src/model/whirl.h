@@ -27,6 +27,7 @@ private:
   double speed_ = 0;     ///< of the spin in the model
   AssembledModes modes_; ///< at this speed
   Matrix gyroscopic_;    ///< of the spin, in these modes
+  Matrix circulatory_;   ///< likewise; 0 x 0 without internal damping
   Matrix centrifugal_;   ///< likewise; 0 x 0 in the fixed frame
 };
 

@@ -236,6 +236,10 @@ void declare_spin_axis(Section &body) {
               "centrifugal and Coriolis forces.")
       .quantities("Through", "0 m, 0 m, 0 m", dimension::length, range::any, "",
                   "A place of the axis, for Frame = rotating.", 3, 3)
+      .quantity("Internal damping", "0 s", dimension::time, range::non_negative, "\\tau",
+                "Of what turns, losses that turn with it: stress E (strain + tau strain rate) of "
+                "the members, and in the springs to the base of lumped masses. In the fixed frame "
+                "it drives forward whirl at speeds above the critical one.")
       .names("Members", "",
              "Members of a beam that turn; empty: all lines. In the fixed frame they lie along the "
              "axis, and those with mass have Theory = Rayleigh or Timoshenko.")

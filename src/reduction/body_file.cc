@@ -31,7 +31,7 @@ void members(auto &visit, As<Recovery> auto &recovery) {
 }
 void members(auto &visit, As<SpinMatrices> auto &spin) {
   visit(spin.axis, spin.rotating_frame, spin.gyroscopic, spin.centrifugal, spin.centrifugal_load,
-        spin.turning, spin.crosswise);
+        spin.turning, spin.crosswise, spin.circulatory);
 }
 void members(auto &visit, As<ReducedBody> auto &body) {
   visit(body.name, body.type, body.mass, body.stiffness, body.damping, body.base_participation,
@@ -41,7 +41,7 @@ void members(auto &visit, As<ReducedBody> auto &body) {
 
 namespace {
 
-const std::string title = "vibroimpact reduced body 9\n";
+const std::string title = "vibroimpact reduced body 10\n";
 
 } // namespace
 

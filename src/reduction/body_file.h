@@ -1,7 +1,7 @@
 // A reduced body as bytes: for a file that saves the eigen-solution of the next run, and for the
 // copy that every rank gets.
 //
-// Format: the line "vibroimpact reduced body 9", 16 hexadecimal digits (FNV-1a, 64 bits, of all
+// Format: the line "vibroimpact reduced body 10", 16 hexadecimal digits (FNV-1a, 64 bits, of all
 // that follows), the fingerprint and the members of the body as in common/bytes.h.
 #pragma once
 

@@ -329,7 +329,8 @@ std::optional<structure::SpinAxis> read_spin_axis(const Values &body) {
                              .members = section.names("Members"),
                              .points = section.names("Points"),
                              .rotating_frame = rotating,
-                             .through = vector3(section, "Through")};
+                             .through = vector3(section, "Through"),
+                             .internal_damping = section.quantity("Internal damping")};
 }
 
 std::vector<structure::RigidLink> read_links(const Values &body) {

@@ -108,6 +108,29 @@ void add_rotating_frame(const BodyDefinition &definition, const ReducedBody &bod
   }
 }
 
+/// The springs to the base of the masses that turn lose energy as they turn: C = tau k, N = -tau k
+/// R (beam_spin.h), R = a x of the displacements that the mass has, and of its rotations.
+void add_internal_damping(const BodyDefinition &definition, ReducedBody &body) {
+  const structure::SpinAxis &axis = *definition.lumped_spin;
+  const Eigen::Matrix3d cross = structure::cross_matrix(axis.direction);
+  Matrix stiffness = Matrix::Zero(body.size(), body.size());
+  Matrix turned = stiffness;
+  for (const LumpedMass &mass : definition.masses) {
+    if (!turns(axis, mass))
+      continue;
+    const auto add = [&](const Matrix &rows, double spring) {
+      stiffness += spring * rows.transpose() * rows;
+      turned += spring * rows.transpose() * cross * rows;
+    };
+    const Matrix &rows = body.point(mass.name).rows;
+    add(rows.topRows(3), mass.mount.stiffness);
+    add(rows.bottomRows(3), mass.rotational_mount.stiffness);
+  }
+  body.damping += axis.internal_damping * stiffness;
+  if (!axis.rotating_frame)
+    body.spin.circulatory = -axis.internal_damping * turned;
+}
+
 SpinMatrices spin_of(const BodyDefinition &definition, const ReducedBody &body) {
   const structure::SpinAxis &axis = *definition.lumped_spin;
   const Matrix none = Matrix::Zero(body.size(), body.size());
@@ -170,6 +193,8 @@ ReducedBody lumped_body(const BodyDefinition &definition) {
   if (definition.lumped_spin) {
     check_spinning(definition);
     body.spin = spin_of(definition, body);
+    if (definition.lumped_spin->internal_damping > 0)
+      add_internal_damping(definition, body);
   }
   return body;
 }

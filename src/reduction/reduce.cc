@@ -216,6 +216,8 @@ ReducedBody meshed_body(const BodyDefinition &definition, MPI_Comm communicator)
   body.stiffness = basis.stiffness;
   body.damping =
       modal_damping(definition.damping, assembled, body.stiffness, basis.shapes, basis.normal);
+  if (!spin.empty() && definition.beam.spin->internal_damping > 0)
+    body.damping += internal_damping(assembled, basis, *definition.beam.spin);
   body.base_participation =
       free_rows(assembled.free, basis.shapes).transpose() * assembled.base_inertia;
   add_points(assembled.model, basis.shapes, response, body);

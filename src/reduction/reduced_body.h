@@ -75,10 +75,12 @@ struct Recovery {
 
 /// What turning about an axis at a constant speed Omega adds:
 ///
-///   ... + Omega gyroscopic q' + Omega^2 centrifugal q = ... + Omega^2 centrifugal_load
+///   ... + Omega gyroscopic q' + (Omega circulatory + Omega^2 centrifugal) q
+///       = ... + Omega^2 centrifugal_load
 ///
-/// In the fixed frame these are gyroscopic moments alone. In the rotating frame, with which the
-/// displacements turn, the first are Coriolis forces.
+/// In the fixed frame these are gyroscopic moments, and circulatory forces of the damping that
+/// turns with the body. In the rotating frame, with which the displacements turn, the first are
+/// Coriolis forces.
 struct SpinMatrices {
   Vector3 axis = Vector3::Zero(); ///< unit vector, about which the speed is positive
   bool rotating_frame = false;
@@ -88,7 +90,8 @@ struct SpinMatrices {
   /// n x n, skew: u'. (axis x u) over the mass, with rotations likewise. In a vibration it is
   /// positive where points go round as the body turns, forward whirl, and negative backward.
   Matrix turning;
-  Matrix crosswise; ///< n x n, symmetric: |axis x u|^2 over the mass, with rotations likewise
+  Matrix crosswise;     ///< n x n, symmetric: |axis x u|^2 over the mass, with rotations likewise
+  Matrix circulatory{}; ///< n x n, skew; 0 x 0 without internal damping and in the rotating frame
 
   bool empty() const { return gyroscopic.size() == 0; }
 };

@@ -49,7 +49,25 @@ void add_rotating_frame(const AssembledBody &body, const modes::EigenProblem &pr
   spin.centrifugal = (spin.centrifugal + spin.centrifugal.transpose()).eval() / 2;
 }
 
+/// Of the parts that have such a matrix.
+Matrix projected_parts(const AssembledBody &body, const Basis &basis,
+                       structure::NodalMatrix SpinPart::*matrix) {
+  Matrix sum = Matrix::Zero(basis.shapes.cols(), basis.shapes.cols());
+  for (const SpinPart &part : body.model.spinning)
+    if ((part.*matrix).size() > 0) {
+      const Matrix rows = rows_of_part(part, basis.shapes);
+      sum += rows.transpose() * (part.*matrix) * rows;
+    }
+  return sum;
+}
+
 } // namespace
+
+Matrix internal_damping(const AssembledBody &body, const Basis &basis,
+                        const structure::SpinAxis &axis) {
+  const Matrix damping = axis.internal_damping * projected_parts(body, basis, &SpinPart::stiffness);
+  return (damping + damping.transpose()) / 2;
+}
 
 SpinMatrices spin_matrices(const AssembledBody &body, const modes::EigenProblem &problem,
                            const Basis &basis, const structure::SpinAxis &axis) {
@@ -70,8 +88,12 @@ SpinMatrices spin_matrices(const AssembledBody &body, const modes::EigenProblem 
   spin.gyroscopic = (spin.gyroscopic - spin.gyroscopic.transpose()).eval() / 2;
   spin.turning = (spin.turning - spin.turning.transpose()).eval() / 2;
   spin.crosswise = (spin.crosswise + spin.crosswise.transpose()).eval() / 2;
-  if (axis.rotating_frame)
+  if (axis.rotating_frame) {
     add_rotating_frame(body, problem, basis, spin);
+  } else if (axis.internal_damping > 0) {
+    const Matrix all = axis.internal_damping * projected_parts(body, basis, &SpinPart::circulatory);
+    spin.circulatory = (all - all.transpose()) / 2;
+  }
   return spin;
 }
 

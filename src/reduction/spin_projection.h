@@ -13,4 +13,8 @@ namespace vibroimpact::reduction {
 SpinMatrices spin_matrices(const structure::AssembledBody &body, const modes::EigenProblem &problem,
                            const Basis &basis, const structure::SpinAxis &axis);
 
+/// Of the elements that turn, by their strain rates: n x n, symmetric.
+Matrix internal_damping(const structure::AssembledBody &body, const Basis &basis,
+                        const structure::SpinAxis &axis);
+
 } // namespace vibroimpact::reduction

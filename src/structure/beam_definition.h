@@ -126,13 +126,14 @@ struct Member {
   AxialForce axial_force{};
 };
 
-/// What of a body turns at a given speed, and how its motion is described.
+/// What of a body turns at a given speed, how its motion is described, and what it loses in itself.
 struct SpinAxis {
   Vector3 direction = Vector3::UnitX(); ///< unit vector
   std::vector<std::string> members{};   ///< whose lines turn; empty: all lines
   std::vector<std::string> points{};    ///< whose lumped masses turn; empty: all
   bool rotating_frame = false;          ///< the displacements turn with the body
   Vector3 through = Vector3::Zero();    ///< a place of the axis [m]; counts in the rotating frame
+  double internal_damping = 0;          ///< stress of a strain rate, over that of a strain [s]
 };
 
 /// Where the ends of a member do not follow the nodes: released displacements and rotations, along

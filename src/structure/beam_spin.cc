@@ -93,6 +93,17 @@ double pull_beyond(const PropertiesAlong &properties, double length, const SpinP
   return force;
 }
 
+/// K R is skew where the element turns into itself; of anything else its skew part.
+void add_strain(const BeamMatrices &matrices, double length, const Vector3 &axis, BeamSpin &spin) {
+  const auto deformation = deformation_matrix(length);
+  spin.stiffness = deformation.transpose() * matrices.stiffness * deformation;
+  ElementMatrix turn = ElementMatrix::Zero();
+  for (int block = 0; block < 4; ++block)
+    turn.block<3, 3>(3 * block, 3 * block) = cross_matrix(axis);
+  const ElementMatrix turned = spin.stiffness * turn;
+  spin.circulatory = (turned.transpose() - turned) / 2;
+}
+
 } // namespace
 
 Eigen::Matrix3d cross_matrix(const Vector3 &w) {
@@ -133,7 +144,10 @@ BeamSpin beam_spin(const PropertiesAlong &properties, double length, const Relea
     spin.gyroscopic += place.axis.x() * sample.part * gyroscopic(sample, length);
     add_whirl(sample, cross_matrix(place.axis), spin);
   }
-  return at_nodes(spin, beam_matrices(properties, length, releases).ends);
+  const BeamMatrices matrices = beam_matrices(properties, length, releases);
+  spin = at_nodes(spin, matrices.ends);
+  add_strain(matrices, length, place.axis, spin);
+  return spin;
 }
 
 BeamSpin rotating_beam(const PropertiesAlong &properties, double length, const Releases &releases,
@@ -144,7 +158,10 @@ BeamSpin rotating_beam(const PropertiesAlong &properties, double length, const R
     add_rotating(sample, place, length, spin);
     add_whirl(sample, cross_matrix(place.axis), spin);
   }
-  return at_nodes(spin, beam_matrices(properties, length, releases).ends);
+  const BeamMatrices matrices = beam_matrices(properties, length, releases);
+  spin = at_nodes(spin, matrices.ends);
+  add_strain(matrices, length, place.axis, spin);
+  return spin;
 }
 
 // N(x) = N_0 + the pull of what lies beyond x; the integral of N / EA is the stretch.

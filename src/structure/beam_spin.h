@@ -9,6 +9,15 @@
 // the gyroscopic moment (nelson1976). In the rotating frame mass at y + u from the axis has the
 // velocity u' + Omega a x (y + u): Coriolis forces 2 Omega a x u', and centrifugal ones
 // Omega^2 (y + u) across the axis, which pull members along the radius straight (rotating_beam).
+//
+// Internal damping of a material, stress E (strain + tau strain'), sees the strain rate of the
+// turning section. With R u = a x u, of rotations likewise, that of the frame is u' - Omega R u, so
+// that an element with the stiffness K has the forces
+//
+//   -tau K u' + Omega tau K R u
+//
+// the second of which, circulatory forces, can take work from what turns the shaft (genta2005). For
+// a section that is equally stiff in all directions K R is skew.
 #pragma once
 
 #include "structure/beam_matrices.h"
@@ -17,9 +26,11 @@ namespace vibroimpact::structure {
 
 /// Rows and columns as of BeamMatrices, local axes.
 struct BeamSpin {
-  ElementMatrix gyroscopic = ElementMatrix::Zero(); ///< skew: forces -Omega G u'
-  ElementMatrix turning = ElementMatrix::Zero();    ///< skew: v . (a x u) over the mass
-  ElementMatrix crosswise = ElementMatrix::Zero();  ///< symmetric: |a x u|^2 over the mass
+  ElementMatrix gyroscopic = ElementMatrix::Zero();  ///< skew: forces -Omega G u'
+  ElementMatrix turning = ElementMatrix::Zero();     ///< skew: v . (a x u) over the mass
+  ElementMatrix crosswise = ElementMatrix::Zero();   ///< symmetric: |a x u|^2 over the mass
+  ElementMatrix stiffness = ElementMatrix::Zero();   ///< K, of bending, shear, twist and stretch
+  ElementMatrix circulatory = ElementMatrix::Zero(); ///< of the fixed frame: -K R
   /// Of the rotating frame: symmetric, forces -Omega^2 K u of the motion in the field of
   /// centrifugal forces; and Omega^2 times the load, at rest.
   ElementMatrix centrifugal = ElementMatrix::Zero();

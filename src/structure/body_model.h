@@ -29,6 +29,8 @@ struct GivenMatrices;
 struct SpinPart {
   std::vector<int> nodes;
   NodalMatrix gyroscopic, turning, crosswise;
+  NodalMatrix stiffness{};   ///< of an element alone, by which its internal damping goes; or empty
+  NodalMatrix circulatory{}; ///< likewise, of the fixed frame
   NodalMatrix centrifugal{}; ///< of the rotating frame; empty in the fixed one
   NodalVector load{};        ///< likewise
   /// Geometric stiffness from the displacement of the nodes under the load of all parts; none

@@ -81,9 +81,12 @@ SpinPart part_of_line(const SpinningLine &line, bool rotating) {
   SpinPart part{.nodes = {line.nodes[0], line.nodes[1]},
                 .gyroscopic = in_nodes(spin.gyroscopic),
                 .turning = in_nodes(spin.turning),
-                .crosswise = in_nodes(spin.crosswise)};
-  if (!rotating)
+                .crosswise = in_nodes(spin.crosswise),
+                .stiffness = in_nodes(spin.stiffness)};
+  if (!rotating) {
+    part.circulatory = in_nodes(spin.circulatory);
     return part;
+  }
   part.centrifugal = in_nodes(spin.centrifugal);
   part.load = local.transpose() * spin.load;
   part.stiffening = [line, local, in_nodes](const NodalVector &displacement) {
@@ -101,6 +104,16 @@ void check_shaft(const BodyModel &model, const Member &member, const SpinningLin
                     coordinates(model.mesh.nodes[line.nodes[0]]) + " is not");
   for (const double end : {0.0, 1.0})
     check_section(member, line.properties(end));
+}
+
+/// Damping that turns has constant coefficients in the fixed frame only where hinges do not turn.
+void check_hinges(const Member &member, const SpinningLine &line) {
+  for (const std::size_t end : {0U, 6U})
+    if (line.releases[end + 1] != line.releases[end + 2] ||
+        line.releases[end + 4] != line.releases[end + 5])
+      refuse_line(member, "",
+                  "turns with Internal damping, so that a Hinge of it must release the motion "
+                  "along, or the rotation about, both directions across the axis or none");
 }
 
 void add_lines(BodyModel &model, const BeamDefinition &definition, const FrameLines &lines) {
@@ -123,6 +136,8 @@ void add_lines(BodyModel &model, const BeamDefinition &definition, const FrameLi
       refuse_line(member, "", "turns in the rotating frame, so that its Offset must be 0 m, 0 m");
     if (!spin.rotating_frame)
       check_shaft(model, member, line);
+    if (!spin.rotating_frame && spin.internal_damping > 0)
+      check_hinges(member, line);
     model.spinning.push_back(part_of_line(line, spin.rotating_frame));
   }
 }

@@ -1,5 +1,7 @@
 #include "random_models/random_contacts.h"
 
+#include <algorithm>
+
 namespace vibroimpact::testing {
 
 namespace {
@@ -50,6 +52,55 @@ const Law laws[] = {
      }},
 };
 
+// Convex or not; a stop that crushes unloads along a line that is steeper than all segments.
+std::string table(Draw &draw) {
+  const std::size_t n = 2 + draw.below(5);
+  std::string penetrations = "0 m", forces = "0 N";
+  double u = 0, force = 0, steepest = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    const double du = draw.power(-5, -2), slope = draw.power(1, 5);
+    u += du;
+    force += slope * du;
+    steepest = std::max(steepest, slope);
+    penetrations += ", " + digits(u) + " m";
+    forces += ", " + digits(force) + " N";
+  }
+  std::string content = set("Penetration", penetrations) + set("Force", forces);
+  if (draw.chance(0.4))
+    content += set("Unloading stiffness", steepest * draw.uniform(1.1, 5), "N/m");
+  else if (draw.chance(0.3))
+    content += set("Damping constant", draw.power(-2, 1), "N s/m");
+  return content;
+}
+
+std::string written_force(Draw &draw) {
+  switch (draw.below(4)) {
+  case 0:
+    return set("Force", digits(draw.power(1, 5)) + "*x + " + digits(draw.power(3, 8)) + "*x^3");
+  case 1:
+    return set("Force",
+               digits(draw.power(2, 6)) + "*x^1.5*(1 + " + digits(draw.power(-2, 0)) + "*v)") +
+           set("Tension", "cut off");
+  case 2:
+    return set("Force", digits(draw.power(1, 5)) + "*x*(1 + " + digits(draw.power(-2, 0)) + "*v)") +
+           set("Tension", "cut off");
+  default:
+    return set("Force",
+               digits(draw.power(0, 3)) + "*(exp(" + digits(draw.power(0, 2)) + "*x) - 1)");
+  }
+}
+
+const Law written_laws[] = {
+    {"table", "Table", table},
+    {"formula", "Formula",
+     [](Draw &d) { return written_force(d) + set("Largest penetration", "0.5 m"); }},
+};
+
+const Law &drawn_law(Draw &draw, bool written) {
+  return written ? written_laws[draw.below(std::size(written_laws))]
+                 : laws[draw.below(std::size(laws))];
+}
+
 } // namespace
 
 // Negative ones only where the sides may overlap.
@@ -62,7 +113,7 @@ double random_clearance(Draw &draw, bool rigid) {
   return kind < 0.75 ? draw.power(-4, -1) : draw.power(-2, -1);
 }
 
-RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies) {
+RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies, bool written) {
   RandomContacts contacts;
   const std::size_t n = draw.of({1, 1, 1, 2, 2, 3, 4});
   for (std::size_t j = 0; j < n; ++j) {
@@ -73,7 +124,7 @@ RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies) {
         others.push_back(point);
     const std::string b = draw.of(others);
     const bool opposed = draw.chance(0.5);
-    const Law &law = laws[draw.below(std::size(laws))];
+    const Law &law = drawn_law(draw, written);
     const double gap = random_clearance(draw, law.name == std::string("newton restitution"));
     std::string content = set("Between", a + ", " + b) +
                           set("Direction", (opposed ? "-" : "") + bodies.direction) +
@@ -87,6 +138,31 @@ RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies) {
     }
   }
   return contacts;
+}
+
+std::string random_tensions(Draw &draw, const RandomBodies &bodies) {
+  std::string text;
+  for (std::size_t j = draw.below(3); j > 0; --j) {
+    const std::string ends = draw.of(bodies.points) + ", ground";
+    std::string law;
+    if (draw.chance(0.5)) {
+      const double play = draw.power(-3, -1), k = draw.power(0, 3);
+      const std::string e = digits(play) + " m", far = digits(3 * play) + " m";
+      const std::string f = digits(2 * play * k) + " N";
+      law = set("Law", "table") +
+            subsection("Table", set("Elongation", "-" + far + ", -" + e + ", " + e + ", " + far) +
+                                    set("Tension", "-" + f + ", 0 N, 0 N, " + f));
+    } else {
+      law = set("Law", "formula") +
+            subsection("Formula", set("Tension", digits(draw.power(0, 3)) + "*x + " +
+                                                     digits(draw.power(0, 5)) + "*x^3 + " +
+                                                     digits(draw.power(-3, 0)) + "*v") +
+                                      set("Largest elongation", "5 m"));
+    }
+    text += subsection("Connection w" + std::to_string(j),
+                       set("Between", ends) + set("Direction", bodies.direction) + law);
+  }
+  return text;
 }
 
 } // namespace vibroimpact::testing

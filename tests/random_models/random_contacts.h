@@ -13,6 +13,9 @@ struct RandomContacts {
 
 double random_clearance(Draw &draw, bool rigid); ///< [m]
 
-RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies);
+/// Of laws that are written in the file, tables and formulas, or of all others.
+RandomContacts random_contacts(Draw &draw, const RandomBodies &bodies, bool written = false);
+/// Up to two connections to the ground with such a tension.
+std::string random_tensions(Draw &draw, const RandomBodies &bodies);
 
 } // namespace vibroimpact::testing

@@ -33,6 +33,8 @@ std::string initial_conditions(Draw &draw, const RandomContacts &contacts,
 
 RandomBodies bodies_of(Draw &draw, const ModelChoice &choice) {
   const double factor = 1 + choice.nudge;
+  if (choice.seed >= first_with_written_laws)
+    return random_bodies(draw, factor);
   if (choice.seed >= first_with_planar_friction)
     return random_planar_bodies(draw, factor, choice.seed < first_with_rings);
   return choice.seed >= first_with_friction ? random_sliding_bodies(draw, factor)
@@ -40,6 +42,11 @@ RandomBodies bodies_of(Draw &draw, const ModelChoice &choice) {
 }
 
 RandomContacts contacts_of(Draw &draw, const ModelChoice &choice, const RandomBodies &bodies) {
+  if (choice.seed >= first_with_written_laws) {
+    RandomContacts contacts = random_contacts(draw, bodies, true);
+    contacts.text += random_tensions(draw, bodies);
+    return contacts;
+  }
   if (choice.seed >= first_with_rings)
     return random_rings(draw, bodies, choice.seed >= first_with_rigid_rings);
   if (choice.seed >= first_with_planar_friction)

@@ -16,6 +16,8 @@ constexpr std::uint64_t first_with_planar_friction = 3'000'000;
 constexpr std::uint64_t first_with_rings = 4'000'000;
 /// And with rigid sides there.
 constexpr std::uint64_t first_with_rigid_rings = 5'000'000;
+/// Models of these have forces by tables and formulas, and no friction.
+constexpr std::uint64_t first_with_written_laws = 6'000'000;
 
 /// What a model is made from; equal numbers give equal text.
 struct ModelChoice {

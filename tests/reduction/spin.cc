@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace spin_tests {
@@ -158,6 +159,92 @@ TEST(Spin, DiscAddsItsPolarInertia) {
       0.05 * (rows.row(4).transpose() * rows.row(5) - rows.row(5).transpose() * rows.row(4));
   EXPECT_LT((body.spin.gyroscopic - expected).norm(), 1e-13 * expected.norm());
   EXPECT_LT((body.spin.turning + body.spin.turning.transpose()).norm(), 1e-16);
+}
+
+namespace {
+
+/// (1 + b) l^2 - 2 i b W l + w0^2 (1 + tau (l - i W)) = 0 of forward whirl with internal damping.
+std::complex<double> damped_whirl(const BeamDefinition &beam, double speed) {
+  const ShaftNumbers s = numbers_of(beam);
+  const double k = pi / shaft_length;
+  const double b = k * k * s.second_moment / s.area;
+  const double rest = s.bending / s.mass * std::pow(k, 4);
+  const double tau = beam.spin->internal_damping;
+  const std::complex<double> linear(tau * rest, -2 * b * speed);
+  const std::complex<double> constant(rest, -tau * rest * speed);
+  const std::complex<double> root = std::sqrt(linear * linear - 4 * (1 + b) * constant);
+  return (-linear + (root.imag() > 0 ? root : -root)) / (2 * (1 + b));
+}
+
+double error_of_damped_whirl(int elements, double speed) {
+  BeamDefinition beam = pinned_shaft(elements, BeamTheory::rayleigh);
+  beam.spin->internal_damping = 2e-5;
+  const ReducedBody body = reduced(beam, 4 * elements);
+  const Index n = body.size();
+  Matrix state = Matrix::Zero(2 * n, 2 * n);
+  state.topRightCorner(n, n).diagonal() = body.omega();
+  state.bottomLeftCorner(n, n) =
+      -speed * body.spin.circulatory * body.omega().cwiseInverse().asDiagonal();
+  state.bottomLeftCorner(n, n).diagonal() -= body.omega();
+  state.bottomRightCorner(n, n) = -speed * body.spin.gyroscopic - body.damping;
+  const std::complex<double> expected = damped_whirl(beam, speed);
+  double least = std::abs(expected);
+  for (const std::complex<double> lambda : eigenvalues(state))
+    least = std::min(least, std::abs(lambda - expected));
+  return least / std::abs(expected);
+}
+
+} // namespace
+
+// Below and above its critical speed, W^2 = w0^2 / (1 - b), at which the whirl is synchronous and
+// nothing damps it.
+TEST(Spin, InternalDampingHasTheEigenvaluesOfTheQuadratic) {
+  const BeamDefinition beam = pinned_shaft(4, BeamTheory::rayleigh);
+  const double critical = rayleigh_frequency(beam, 1, 0, 1);
+  for (const double speed : {0.0, 0.5 * critical, 3 * critical}) {
+    const double coarse = error_of_damped_whirl(6, speed);
+    const double fine = error_of_damped_whirl(12, speed);
+    EXPECT_LT(fine, 1e-4);
+    EXPECT_GT(std::log2(coarse / fine), 3.7) << speed;
+    EXPECT_LT(std::log2(coarse / fine), 4.5) << speed;
+  }
+  BeamDefinition damped = beam;
+  damped.spin->internal_damping = 2e-5;
+  EXPECT_LT(damped_whirl(damped, 0.5 * critical).real(), 0);
+  EXPECT_GT(damped_whirl(damped, 3 * critical).real(), 0);
+}
+
+// All of the elasticity turns: the damping is that of the strain energy.
+TEST(Spin, InternalDampingGoesByTheStiffnessOfWhatTurns) {
+  BeamDefinition beam = pinned_shaft(6, BeamTheory::timoshenko);
+  const Matrix without = reduced(beam, 6).damping;
+  EXPECT_EQ(reduced(beam, 6).spin.circulatory.size(), 0);
+  beam.spin->internal_damping = 3e-5;
+  const ReducedBody body = reduced(beam, 6);
+  const Matrix expected = 3e-5 * Matrix(body.stiffness.asDiagonal());
+  EXPECT_LT((body.damping - without - expected).norm(), 1e-9 * expected.norm());
+  EXPECT_LT((body.spin.circulatory + body.spin.circulatory.transpose()).norm(),
+            1e-15 * body.spin.circulatory.norm());
+}
+
+// A hinge about y alone bends differently as it turns.
+TEST(Spin, InternalDampingNeedsHingesInBothDirections) {
+  BeamDefinition beam = pinned_shaft(6, BeamTheory::rayleigh);
+  beam.supports = {{"left", {"start", {}}, {true, true, true, true, true, true}, {}},
+                   {"right", {"end", {}}, {true, true, true, true, true, true}, {}}};
+  structure::Member member{.name = "half", .between = {{0, shaft_length / 2}}};
+  member.section = beam.section;
+  member.material = beam.material;
+  beam.members.push_back(member);
+  structure::Hinge hinge{
+      .name = "joint", .member = "half", .at = {"", Vector3(shaft_length / 2, 0, 0)}};
+  hinge.free[4] = true;
+  beam.hinges.push_back(hinge);
+  EXPECT_NO_THROW(reduced(beam, 2));
+  beam.spin->internal_damping = 1e-5;
+  EXPECT_THROW(reduced(beam, 2), structure::DefinitionError);
+  beam.hinges[0].free[5] = true;
+  EXPECT_NO_THROW(reduced(beam, 2));
 }
 
 TEST(Spin, RefusesWhatCannotTurn) {

@@ -1,5 +1,5 @@
-// Blades in the rotating frame against published frequencies of rotating cantilevers, and axial
-// forces that change along a member against a column under its own weight.
+// Blades in the rotating frame against published frequencies of rotating cantilevers and Ritz's
+// method, and axial forces that change along a member against a column under its own weight.
 #include "common/decompositions.h"
 #include "common/error.h"
 #include "reduction/beam_bodies.h"
@@ -7,9 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <vector>
 
 namespace turning_blade_tests {
 
@@ -35,6 +40,21 @@ Vector frequencies(const BeamDefinition &beam, const ReducedBody &body, double e
   Matrix stiffness = body.stiffness.asDiagonal();
   stiffness += speed * speed * body.spin.centrifugal;
   return symmetric_eigen(stiffness).values.array().sqrt() / frequency_scale(beam);
+}
+
+/// Of p'' + G p' + diag(squared) p = 0, rising.
+Vector coupled_frequencies(const Vector &squared, const Matrix &gyroscopic) {
+  const Index n = squared.size();
+  Matrix state = Matrix::Zero(2 * n, 2 * n);
+  state.topRightCorner(n, n).diagonal() = squared.cwiseSqrt();
+  state.bottomLeftCorner(n, n).diagonal() = -squared.cwiseSqrt();
+  state.bottomRightCorner(n, n) = -gyroscopic;
+  std::vector<double> list;
+  for (const std::complex<double> lambda : eigenvalues(state))
+    if (lambda.imag() > 0)
+      list.push_back(lambda.imag());
+  std::sort(list.begin(), list.end());
+  return Eigen::Map<const Vector>(list.data(), static_cast<Index>(list.size()));
 }
 
 struct Published {
@@ -96,6 +116,88 @@ TEST(TurningBlade, TipMassPulls) {
   // With the static deflection 3 x^2 l - x^3 the work of N is 6/5 N w^2 / l.
   const double bending = body.point("head").rows(0, 0);
   EXPECT_NEAR(body.spin.centrifugal(0, 0), 1.2 * 0.05 * bending * bending, 1e-6);
+}
+
+namespace {
+
+/// A stout blade in its plane of rotation, by polynomials along all of it (Ritz's method with
+/// Gauss's rule): bending w = sum b_k z^(k+1), stretch u = sum a_k z^k, k = 1, 2..., with
+///
+///   m (w'' + 2 W u' - W^2 w) + E I d^4 w - d(N d w) = 0,   m (u'' - 2 W w' - W^2 u) - E A d^2 u =
+///   0
+///
+/// d the derivative along z, N = m W^2 (l^2 - z^2) / 2. Frequencies per frequency_scale().
+Vector frequencies_by_polynomials(const BeamDefinition &beam, double eta, bool coriolis) {
+  constexpr Index count = 10;
+  const double speed = eta * frequency_scale(beam), length = beam_length(beam);
+  const double m = mass_per_length(beam), bending = bending_stiffness(beam);
+  const double axial = beam.material.young_modulus * beam.section.width * beam.section.thickness;
+  Matrix mass = Matrix::Zero(2 * count, 2 * count), stiffness = mass, gyroscopic = mass;
+  using Rule = boost::math::quadrature::gauss<double, 30>;
+  const auto add = [&](double z, double weight) {
+    Vector w(count), slope(count), curvature(count), u(count), strain(count);
+    for (Index k = 0; k < count; ++k) {
+      const auto p = static_cast<double>(k);
+      const double s = z / length;
+      w[k] = std::pow(s, p + 2);
+      slope[k] = (p + 2) * std::pow(s, p + 1) / length;
+      curvature[k] = (p + 2) * (p + 1) * std::pow(s, p) / (length * length);
+      u[k] = std::pow(s, p + 1);
+      strain[k] = (p + 1) * std::pow(s, p) / length;
+    }
+    const double pull = m * speed * speed * (length * length - z * z) / 2;
+    mass.topLeftCorner(count, count) += weight * m * w * w.transpose();
+    mass.bottomRightCorner(count, count) += weight * m * u * u.transpose();
+    stiffness.topLeftCorner(count, count) +=
+        weight * (bending * curvature * curvature.transpose() + pull * slope * slope.transpose() -
+                  m * speed * speed * w * w.transpose());
+    stiffness.bottomRightCorner(count, count) +=
+        weight * (axial * strain * strain.transpose() - m * speed * speed * u * u.transpose());
+    if (coriolis)
+      gyroscopic.topRightCorner(count, count) += weight * 2 * m * speed * w * u.transpose();
+  };
+  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+    for (const double sign : {-1.0, 1.0})
+      add(length * (1 + sign * Rule::abscissa()[i]) / 2, length / 2 * Rule::weights()[i]);
+  gyroscopic -= gyroscopic.transpose().eval();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> rest(stiffness, mass);
+  return coupled_frequencies(rest.eigenvalues(),
+                             rest.eigenvectors().transpose() * gyroscopic * rest.eigenvectors()) /
+         frequency_scale(beam);
+}
+
+BeamDefinition stout_blade(int elements) {
+  BeamDefinition beam = blade(elements, Vector3::UnitY());
+  beam.section.thickness = 0.06;
+  return beam;
+}
+
+/// The whole equations of the program, all modes kept.
+Vector frequencies_of_blade(int elements, double eta) {
+  const BeamDefinition beam = stout_blade(elements);
+  const ReducedBody body = reduced(beam, 3 * elements);
+  const double speed = eta * frequency_scale(beam);
+  Matrix stiffness = body.stiffness.asDiagonal();
+  stiffness += speed * speed * body.spin.centrifugal;
+  const SymmetricEigen modes = symmetric_eigen(stiffness);
+  return coupled_frequencies(modes.values, speed * modes.vectors.transpose() *
+                                               body.spin.gyroscopic * modes.vectors) /
+         frequency_scale(beam);
+}
+
+} // namespace
+
+// Radial and tangential motion, which Coriolis forces couple.
+TEST(TurningBlade, CoriolisForcesCoupleStretchAndBending) {
+  constexpr double eta = 6;
+  const Vector exact = frequencies_by_polynomials(stout_blade(1), eta, true);
+  const Vector uncoupled = frequencies_by_polynomials(stout_blade(1), eta, false);
+  const Vector coarse = frequencies_of_blade(10, eta), fine = frequencies_of_blade(20, eta);
+  for (Index j = 0; j < 4; ++j) {
+    const double error = std::abs(fine[j] - exact[j]);
+    EXPECT_GT(std::abs(uncoupled[j] - exact[j]), 50 * error) << j;
+    EXPECT_GT(std::log2(std::abs(coarse[j] - exact[j]) / error), 1.8) << j;
+  }
 }
 
 // A column under its own weight buckles at rho A g l^3 / EI = 7.83735 (Greenhill).

@@ -48,6 +48,10 @@ LinearMode linear_mode(const System &system, const ModeStart &start) {
     start.section.value().reject_section(
         "Excitations must not change with time: a nonlinear mode is a motion "
         "without them");
+  if (system.model.has_circulatory_forces())
+    start.section.value().reject_section(
+        "a nonlinear mode must have no circulatory forces, which have no energy: a Bearing must "
+        "have k12 = k21, and a body that turns no Internal damping");
   const model::AssembledModes modes =
       assembled_modes(system.model, model::AssembledSystem(system.model));
   const Index number = start.mode - 1;

@@ -169,7 +169,8 @@ void Energy::add_fields(const FieldWriter &result) const {
   for (const std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_})
     for (const double work : *works)
       add_work(result, *labels++, work);
-  static const WorkLabels input_work("energy/input_work", "work of loads, moving bases and motors");
+  static const WorkLabels input_work("energy/input_work",
+                                     "work of loads, moving bases, motors and what turns shafts");
   static const WorkLabels damping_work("energy/damping_work",
                                        "energy lost by bodies and connections");
   static const WorkLabels contact_work("energy/contact_work", "energy lost in contacts");

@@ -4,6 +4,7 @@
 #include "contact/connection_laws.h"
 #include "contact/contact_sections.h"
 #include "model/assembled_system.h"
+#include "model/bearing.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/rotor_parameters.h"
@@ -74,6 +75,7 @@ System build_system(const parameters::Values &root, const parameters::Values &an
                          model);
   model::add_spins(root, model);
   model::add_connections(root, model);
+  model::add_bearings(root, model);
   model::add_rotors(root, model);
   const std::vector<std::string> contacts =
       contact::contact_names(root, listed_instances(root, "Contacts", "Contact"));

@@ -90,6 +90,14 @@ Energies of_connection(const model::Connection &connection, const AssembledModes
           .loss = connection.damping * squared};
 }
 
+Energies of_bearing(const model::Bearing &bearing, const AssembledModes &modes) {
+  const Matrix motion = bearing.rows() * modes.shapes;
+  const auto by = [&](const Eigen::Matrix2d &matrix) -> Vector {
+    return motion.cwiseProduct(matrix * motion).colwise().sum().transpose();
+  };
+  return {.strain = by(bearing.stiffness), .kinetic = {}, .loss = by(bearing.damping)};
+}
+
 void add_shapes(const FieldWriter &of, const Model &model, const AssembledModes &modes) {
   for (const Observable &observed : point_observables(
            model, {.points = {}, .kinds = {"displacement", "rotation", "elongation"}})) {
@@ -162,7 +170,7 @@ void add_assembled_modes(const FieldWriter &result, const Model &model,
   of.listed().number("rigid_modes", static_cast<double>(modes.rigid), "1",
                      "motions of the whole system that store no energy");
   of.listed().number("modal_damping", modes.modal_damping ? 1 : 0, "1",
-                     "1: damping and gyroscopic moments couple no modes, 0: they do");
+                     "1: damping, gyroscopic and circulatory forces couple no modes, 0: they do");
   add_participation(of, model, modes);
   add_shapes(of, model, modes);
   for (std::size_t b = 0; b < model.bodies().size(); ++b)
@@ -170,6 +178,8 @@ void add_assembled_modes(const FieldWriter &result, const Model &model,
   for (const model::Connection &connection : model.connections())
     add_shares(of.below("connection/" + connection.name + "/"), modes,
                of_connection(connection, modes));
+  for (const model::Bearing &bearing : model.bearings())
+    add_shares(of.below("bearing/" + bearing.name + "/"), modes, of_bearing(bearing, modes));
   if (modes.modal_damping)
     return;
   if (modes.stiffness.size() > most_damped_modes)

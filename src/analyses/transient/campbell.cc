@@ -68,35 +68,46 @@ std::string direction_name(double whirl) {
   return whirl > to_and_fro ? "forward" : whirl < -to_and_fro ? "backward" : "to and fro";
 }
 
-void add_critical(const FieldWriter &of, const WhirlDirection &whirl,
-                  const std::vector<CriticalSpeed> &list) {
-  const auto add = [&](const char *name, const char *unit, const char *description,
+/// Speeds at which something is true of a mode, in the folder `name`.
+void add_speeds(const FieldWriter &of, const std::string &name, const std::string &meaning,
+                const WhirlDirection &whirl, const std::vector<WhirlSpeed> &list) {
+  const auto add = [&](const char *quantity, const char *unit, const std::string &description,
                        const auto &value) {
     std::vector<double> values;
-    for (const CriticalSpeed &critical : list)
-      values.push_back(value(critical));
-    of.series(std::string("critical/") + name, "critical_speed", values, unit, description);
+    for (const WhirlSpeed &one : list)
+      values.push_back(value(one));
+    of.series(name + "/" + quantity, name + "_speed", values, unit, description);
   };
-  add("speed", "rad/s", "speed at which a frequency is a multiple of it",
-      [](const CriticalSpeed &critical) { return critical.speed; });
-  add("multiple", "1", "frequency over speed",
-      [](const CriticalSpeed &critical) { return critical.multiple; });
+  add("speed", "rad/s", "speed at which " + meaning,
+      [](const WhirlSpeed &one) { return one.speed; });
   add("mode", "1", "number of the mode, from 1",
-      [](const CriticalSpeed &critical) { return static_cast<double>(critical.mode + 1); });
-  add("frequency", "Hz", "frequency there",
-      [](const CriticalSpeed &critical) { return hertz(critical.state); });
+      [](const WhirlSpeed &one) { return static_cast<double>(one.mode + 1); });
+  add("frequency", "Hz", "frequency there", [](const WhirlSpeed &one) { return hertz(one.state); });
   add("damping_ratio", "1", "damping there",
-      [](const CriticalSpeed &critical) { return damping_ratio(critical.state); });
+      [](const WhirlSpeed &one) { return damping_ratio(one.state); });
   add("whirl", "1", "1: forward whirl in circles, -1: backward, 0: to and fro",
-      [&](const CriticalSpeed &critical) { return whirl.at(critical.speed, critical.state); });
+      [&](const WhirlSpeed &one) { return whirl.at(one.speed, one.state); });
   for (std::size_t k = 0; k < list.size(); ++k) {
-    const std::string place = "critical[" + std::to_string(k + 1) + "]";
+    const std::string place = name + "[" + std::to_string(k + 1) + "]";
+    const double number = whirl.at(list[k].speed, list[k].state);
     of.line(place + ".speed", list[k].speed, "rad/s");
-    of.line(place + ".whirl", whirl.at(list[k].speed, list[k].state), "1");
-    log::info("critical speed " + std::to_string(list[k].speed) + " rad/s of mode " +
-              std::to_string(list[k].mode + 1) + ", " +
-              direction_name(whirl.at(list[k].speed, list[k].state)));
+    of.line(place + ".whirl", number, "1");
+    log::info(name + " speed " + std::to_string(list[k].speed) + " rad/s of mode " +
+              std::to_string(list[k].mode + 1) + ", " + direction_name(number));
   }
+}
+
+void add_critical(const FieldWriter &of, const WhirlDirection &whirl, const WhirlBranches &branches,
+                  const std::vector<double> &multiples) {
+  std::vector<WhirlSpeed> list;
+  std::vector<double> of_each;
+  for (const double multiple : multiples)
+    for (WhirlSpeed &critical : branches.critical(multiple)) {
+      list.push_back(std::move(critical));
+      of_each.push_back(multiple);
+    }
+  add_speeds(of, "critical", "a frequency is a multiple of it", whirl, list);
+  of.series("critical/multiple", "critical_speed", of_each, "1", "frequency over speed");
 }
 
 std::vector<double> equally_spaced(double first, double last, long points) {
@@ -176,11 +187,9 @@ PointResult Campbell::compute(const System &system) const {
   const WhirlDirection direction{.model = system.model,
                                  .present = system.model.spins()[spin(system)].speed.at(0)};
   add_tables(result, direction, branches);
-  std::vector<CriticalSpeed> list;
-  for (const double multiple : settings_.multiples)
-    for (CriticalSpeed &critical : branches.critical(multiple))
-      list.push_back(std::move(critical));
-  add_critical(result, direction, list);
+  add_critical(result, direction, branches, settings_.multiples);
+  add_speeds(result, "threshold", "a mode begins to grow or to decay", direction,
+             branches.thresholds());
   return point;
 }
 

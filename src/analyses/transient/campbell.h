@@ -1,6 +1,6 @@
 // The Campbell diagram: frequencies, damping and directions of whirl of the modes of the whole
 // linear system over the speed of a spin, no contact closed, and the speeds at which a frequency is
-// a given multiple of the speed.
+// a given multiple of the speed, or at which a mode begins to grow or to decay.
 #pragma once
 
 #include "analyses/analysis.h"
@@ -9,7 +9,6 @@
 namespace vibroimpact::analyses {
 
 class WhirlBranches;
-struct CriticalSpeed;
 
 class Campbell : public Analysis {
 public:

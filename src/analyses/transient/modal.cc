@@ -15,7 +15,8 @@ constexpr const char *modal_section = "Modal";
 
 /// The modes of a single body that nothing else holds are in its own pictures.
 bool differs_from_bodies(const model::Model &model, const Matrix &tied) {
-  return model.bodies().size() > 1 || !model.connections().empty() || tied.rows() > 0;
+  return model.bodies().size() > 1 || !model.connections().empty() || !model.bearings().empty() ||
+         tied.rows() > 0;
 }
 
 std::vector<double> entries(const Vector &vector) { return {vector.begin(), vector.end()}; }

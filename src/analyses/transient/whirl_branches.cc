@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace vibroimpact::analyses {
 
@@ -123,22 +125,44 @@ WhirlState WhirlBranches::between(double speed, const WhirlState &a, const Whirl
       [&](const WhirlState &x, const WhirlState &y) { return likeness(x) < likeness(y); });
 }
 
-std::vector<CriticalSpeed> WhirlBranches::critical(double multiple) const {
-  std::vector<CriticalSpeed> list;
-  const auto excess = [&](double speed, const WhirlState &state) {
-    return state.eigenvalue.imag() - multiple * std::abs(speed);
-  };
-  for (std::size_t j = 0; j < modes(); ++j)
-    for (std::size_t k = 1; k < speeds_.size(); ++k) {
-      const auto &a = state(k - 1, j);
-      const auto &b = state(k, j);
-      if (!a || !b || (excess(speeds_[k - 1], *a) > 0) == (excess(speeds_[k], *b) > 0))
+// Speeds at which the measure is exactly zero are passed over: the signs on both sides count.
+std::vector<WhirlSpeed> WhirlBranches::zeros(const Measure &measure) const {
+  std::vector<WhirlSpeed> list;
+  for (std::size_t j = 0; j < modes(); ++j) {
+    std::optional<std::size_t> last;
+    for (std::size_t k = 0; k < speeds_.size(); ++k) {
+      const auto &now = state(k, j);
+      if (!now)
+        last.reset();
+      if (!now || measure(speeds_[k], *now) == 0)
         continue;
-      const double speed = zero_between([&](double at) { return excess(at, between(at, *a, *b)); },
-                                        speeds_[k - 1], speeds_[k]);
-      list.push_back({speed, multiple, j, between(speed, *a, *b)});
+      const std::optional<std::size_t> before = std::exchange(last, k);
+      if (!before)
+        continue;
+      const WhirlState &a = *state(*before, j);
+      if ((measure(speeds_[*before], a) > 0) == (measure(speeds_[k], *now) > 0))
+        continue;
+      const double speed =
+          zero_between([&](double at) { return measure(at, between(at, a, *now)); },
+                       speeds_[*before], speeds_[k]);
+      list.push_back({speed, j, between(speed, a, *now)});
     }
+  }
   return list;
+}
+
+std::vector<WhirlSpeed> WhirlBranches::critical(double multiple) const {
+  return zeros([&](double speed, const WhirlState &state) {
+    return state.eigenvalue.imag() - multiple * std::abs(speed);
+  });
+}
+
+std::vector<WhirlSpeed> WhirlBranches::thresholds() const {
+  constexpr double rounding = 1e-12;
+  return zeros([](double /*speed*/, const WhirlState &state) {
+    const double rate = state.eigenvalue.real();
+    return std::abs(rate) > rounding * std::abs(state.eigenvalue) ? rate : 0;
+  });
 }
 
 } // namespace vibroimpact::analyses

@@ -4,6 +4,7 @@
 
 #include "model/whirl.h"
 
+#include <functional>
 #include <vector>
 
 namespace vibroimpact::analyses {
@@ -17,10 +18,9 @@ struct WhirlState {
 /// One for each mode; none from where it no longer vibrates.
 using WhirlStates = std::vector<std::optional<WhirlState>>;
 
-/// A speed at which the frequency of a mode is a multiple of it.
-struct CriticalSpeed {
-  double speed = 0;    ///< [rad/s]
-  double multiple = 1; ///< frequency over speed
+/// A speed at which something is true of a mode.
+struct WhirlSpeed {
+  double speed = 0; ///< [rad/s]
   std::size_t mode = 0;
   WhirlState state;
 };
@@ -38,7 +38,10 @@ public:
     return states_[speed][mode];
   }
   /// Where frequencies cross `multiple` |speed|, by mode and then speed.
-  std::vector<CriticalSpeed> critical(double multiple) const;
+  std::vector<WhirlSpeed> critical(double multiple) const;
+  /// Where decay becomes growth or growth decay, likewise. Rates within rounding of zero are
+  /// neither.
+  std::vector<WhirlSpeed> thresholds() const;
 
 private:
   void sort_modes();
@@ -46,6 +49,8 @@ private:
   double resemblance(const WhirlState &a, const WhirlState &b) const;
   WhirlStates follow(double from, const WhirlStates &states, double to, int divisions) const;
   std::pair<WhirlStates, double> matched(const WhirlStates &states, double speed) const;
+  using Measure = std::function<double(double speed, const WhirlState &state)>;
+  std::vector<WhirlSpeed> zeros(const Measure &measure) const;
   WhirlState between(double speed, const WhirlState &a, const WhirlState &b) const;
 
   const model::WhirlingSystem &system_;

@@ -60,6 +60,7 @@ private:
   void add(Index entry, const LinearRow &a, const LinearRow &b);
   void add_loads(const Equations &equations);
   void add_damping(const Equations &equations);
+  void add_circulatory(const Equations &equations);
   void add_contact(const Equations &equations, std::size_t contact);
   void add_friction(const Equations &equations, std::size_t contact);
   void add_dissipation(const Equations &equations, std::size_t contact, Index entry,

@@ -172,10 +172,11 @@ void MomentPath::add_integrals(double time, std::size_t contact, const CourseStr
   state_[layout.sliding_way(pair.sliding_place)] += h * integrals.sliding;
 }
 
-// Work of loads and of damping over a time, by a Gauss rule that integrates the square of the
-// velocity exactly; velocity: at a part of it, a polynomial of degree 6 at most.
+// Work of loads, circulatory forces and damping over a time, by a Gauss rule that integrates the
+// square of the velocity and its product with the position exactly; both at a part of it are
+// polynomials of degree 6 and 7 at most.
 void MomentPath::add_power(double start, double end,
-                           const std::function<Vector(double)> &velocity) {
+                           const std::function<MomentViews::Motion(double)> &motion) {
   static const GaussRule rule = JacobiPolynomials(0, 0, 7).rule();
   const StateLayout &layout = equations_.layout();
   const double h = end - start;
@@ -183,10 +184,12 @@ void MomentPath::add_power(double start, double end,
   for (Index i = 0; i < rule.nodes.size(); ++i) {
     const auto x = static_cast<double>(rule.nodes[i]);
     const double weight = h * static_cast<double>(rule.weights[i]);
-    const Vector v = velocity(x);
+    const auto [q, v] = motion(x);
     equations_.model().load(equations_.source_time(start + h * x), load);
     equations_.model().damping().apply(ConstVectorView(v.data(), v.size()), damping);
-    const double power = load.dot(v);
+    const double power =
+        load.dot(v) + equations_.model().circulatory_power(ConstVectorView(q.data(), q.size()),
+                                                           ConstVectorView(v.data(), v.size()));
     state_[layout.input_work()] += weight * power;
     state_[layout.absolute_input_work()] += weight * std::abs(power);
     state_[layout.damping_work()] += weight * damping.dot(v);
@@ -254,13 +257,12 @@ void MomentPath::show(double time, const Report &report) {
     if (time + to * step_.length() > start_point_.time) {
       end_point_.state = state_;
       views_.fill(time, to, end_point_);
-      views_.show(time, from, start_point_, to, end_point_,
-                  [&](const EndPoint &a, const EndPoint &b) {
-                    if (report.integrals)
-                      add_power(a.time, b.time,
-                                [&](double tau) { return views_.between(a, b, tau).velocity; });
-                    report.show(StepView(equations_, a, b));
-                  });
+      views_.show(
+          time, from, start_point_, to, end_point_, [&](const EndPoint &a, const EndPoint &b) {
+            if (report.integrals)
+              add_power(a.time, b.time, [&](double tau) { return views_.between(a, b, tau); });
+            report.show(StepView(equations_, a, b));
+          });
       state_.head(end_point_.rates.size()) = end_point_.state.head(end_point_.rates.size());
     } else {
       end_point_ = start_point_;
@@ -282,12 +284,16 @@ void MomentPath::show(double time, const Report &report) {
 // Over the whole step.
 void MomentPath::add_power(double time) {
   const Index n = equations_.layout().n;
-  std::vector<Bernstein> rates;
+  std::vector<DirectionCurve> curves;
   for (Index j = 0; j < n; ++j)
-    rates.push_back(step_.coordinate(j).rate);
+    curves.push_back(step_.coordinate(j));
   add_power(time, time + step_.length(), [&](double x) {
-    return Vector(
-        Vector::NullaryExpr(n, [&](Index j) { return rates[static_cast<std::size_t>(j)](x); }));
+    MomentViews::Motion motion{.position = Vector(n), .velocity = Vector(n)};
+    for (Index j = 0; j < n; ++j) {
+      motion.position[j] = curves[static_cast<std::size_t>(j)].position(x);
+      motion.velocity[j] = curves[static_cast<std::size_t>(j)].rate(x);
+    }
+    return motion;
   });
 }
 

@@ -64,7 +64,8 @@ private:
   void show_part(double end, const Report &report);
   double base_rate(Index row, double time) const;
   void add_integrals(double time, std::size_t contact, const CourseStretch &stretch);
-  void add_power(double start, double end, const std::function<Vector(double part)> &velocity);
+  void add_power(double start, double end,
+                 const std::function<MomentViews::Motion(double part)> &motion);
   void add_power(double time);
   void note_residual(double time, const Change &change);
   void pass(double time, const Change &change, const Report &report);

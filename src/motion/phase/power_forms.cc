@@ -63,6 +63,7 @@ PowerForms::PowerForms(const Equations &equations)
     : rows_(0, constant_row(equations, 0).row.size()), constants_(0) {
   add_loads(equations);
   add_damping(equations);
+  add_circulatory(equations);
   for (std::size_t c = 0; c < equations.contacts().size(); ++c)
     if (!equations.inactive(c))
       add_contact(equations, c);
@@ -103,6 +104,16 @@ void PowerForms::add_damping(const Equations &equations) {
     if (damping.coupling.size() > 0)
       force.row.segment(layout.velocity(), layout.n) += damping.coupling.row(j);
     add(layout.damping_work(), unit_row(equations, layout.velocity() + j), force);
+  }
+}
+
+void PowerForms::add_circulatory(const Equations &equations) {
+  const StateLayout &layout = equations.layout();
+  const Matrix &circulatory = equations.model().circulatory();
+  for (Index j = 0; j < circulatory.rows(); ++j) {
+    LinearRow force = constant_row(equations, 0);
+    force.row.head(layout.n) = -circulatory.row(j);
+    add(layout.input_work(), unit_row(equations, layout.velocity() + j), force);
   }
 }
 

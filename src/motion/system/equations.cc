@@ -113,6 +113,8 @@ void Equations::rates(double time, ConstVectorView x, VectorView dxdt) const {
     damping_power += damping_[j] * velocity[j];
   }
   std::fill_n(&dxdt[layout_.integrals()], layout_.size() - layout_.integrals(), 0.0);
+  if (model_.circulatory().size() > 0)
+    input_power += model_.circulatory_power(ConstVectorView(x.data(), n), velocity);
   for (const Acting &acting : acting_)
     input_power += add_contact(acting, time, x, dxdt);
   if (!model_.linear())
@@ -154,7 +156,7 @@ double Equations::add_nonlinear_forces(double time, ConstVectorView x, VectorVie
   const ConstVectorView drive(x.data() + layout_.drive(), layout_.n_drive);
   VectorView acceleration(dxdt.data() + layout_.velocity(), n);
   double power = model_.add_cubic_forces(source_time(time), q, acceleration);
-  model_.add_run_up_forces(source_time(time), velocity, acceleration);
+  power += model_.add_run_up_forces(source_time(time), q, velocity, acceleration);
   const RotorSet &rotors = model_.rotors();
   if (rotors.empty()) {
     acceleration.array() /= model_.mass().array();
@@ -180,6 +182,10 @@ void Equations::jacobian(double time, ConstVectorView x, Matrix &jacobian) const
     add_nonlinear_forces(time, x, jacobian);
   load(time);
   jacobian.row(layout_.input_work()).segment(n, n) = load_.transpose();
+  if (const Matrix &circulatory = model_.circulatory(); circulatory.size() > 0) {
+    jacobian.row(layout_.input_work()).head(n) = -(x.segment(n, n).transpose() * circulatory);
+    jacobian.row(layout_.input_work()).segment(n, n) -= (circulatory * x.head(n)).transpose();
+  }
   for (std::size_t c = 0; c < contacts_.size(); ++c)
     if (!inactive(c) && !mode(c).holds_gap)
       add_contact(c, time, x, jacobian);
@@ -196,6 +202,7 @@ void Equations::add_nonlinear_forces(double time, ConstVectorView x, Matrix &jac
   const Index n = layout_.n;
   Matrix stiffness = Matrix::Zero(n, n);
   model_.add_cubic_stiffness(source_time(time), ConstVectorView(x.data(), n), stiffness);
+  model_.add_run_up_stiffness(source_time(time), stiffness);
   jacobian.block(n, 0, n, n) -= stiffness;
   Matrix damping = Matrix::Zero(n, n);
   model_.add_run_up_damping(source_time(time), damping);
@@ -229,7 +236,7 @@ Vector Equations::uncoupled_acceleration(double time, ConstVectorView x) const {
   Vector force = load_ - elastic_ - damping_;
   const VectorView view(force.data(), n);
   model_.add_cubic_forces(source_time(time), q, view);
-  model_.add_run_up_forces(source_time(time), ConstVectorView(x.data() + layout_.velocity(), n),
+  model_.add_run_up_forces(source_time(time), q, ConstVectorView(x.data() + layout_.velocity(), n),
                            view);
   model_.rotors().add_torques(ConstVectorView(x.data() + layout_.drive(), layout_.n_drive), view);
   for (std::size_t c = 0; c < contacts_.size(); ++c)

@@ -105,6 +105,7 @@ LinearSystem LinearSystem::tangent(const Equations &equations, double time, cons
   if (!model.linear()) {
     model.add_cubic_stiffness(equations.source_time(time),
                               ConstVectorView(state.data(), model.size()), stiffness);
+    model.add_run_up_stiffness(equations.source_time(time), stiffness);
     model.add_run_up_damping(equations.source_time(time), damping);
   }
   system.assemble(equations, stiffness, damping);

@@ -124,7 +124,7 @@ Vector KeyTangent::acceleration(const model::Model &model, const contact::Contac
     force += sources[k][0] * model.sources()[k].load +
              sources[k][1] * model.sources()[k].rate_load +
              sources[k][2] * model.sources()[k].inertial_load;
-  model.add_run_up_forces(time, velocity, VectorView(force.data(), n));
+  model.add_run_up_forces(time, q, velocity, VectorView(force.data(), n));
   for (const model::Connection &spring : model.connections()) {
     double elongation = spring.elongation.row.dot(q);
     for (std::size_t k = 0; k < sources.size(); ++k)
