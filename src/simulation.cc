@@ -16,6 +16,7 @@
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/initial_condition.h"
+#include "model/system_damping.h"
 #include "motion/settings.h"
 #include "output/figure_sections.h"
 #include "output/mode_tables.h"
@@ -55,6 +56,7 @@ std::shared_ptr<const parameters::Section> declare_parameters() {
   model::declare_connections(*root);
   model::declare_bearings(*root);
   contact::declare_connection_laws(*root);
+  model::declare_system_damping(*root);
   model::declare_spins(*root);
   contact::declare_contacts(*root);
   model::declare_excitations(*root);

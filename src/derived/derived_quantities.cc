@@ -99,7 +99,9 @@ void declare_derived(parameters::Section &root) {
     names.push_back(known.name);
   root.named_subsection("Derived", "A quantity derived from the results of an analysis, and stored "
                                    "with them.")
-      .text("From", "", "Name of the analysis.")
+      .names("From", "",
+             "The analysis; or several that all have the quantity, such as one and the parameter "
+             "grid that repeats it.")
       .required()
       .choice("Operation", "maximum", names, "What is done.")
       .text("Description", "", "A sentence about the result; empty means one that is made up.")
@@ -153,7 +155,8 @@ void check_analyses(const Values &root) {
   for (const std::string &name : root.instances("Derived")) {
     const Values section = root.instance("Derived", name);
     section.require("From");
-    section.require_known("From", section.text("From"), root.instances("Analysis"));
+    for (const std::string &analysis : section.names("From"))
+      section.require_known("From", analysis, root.instances("Analysis"));
   }
 }
 
@@ -164,7 +167,7 @@ void DerivedQuantities::add(const Values &root, const std::string &analysis,
   wanted.best = analyses::create_analysis(computing_section(root, analysis))->best_of();
   for (const std::string &name : root.instances("Derived")) {
     const Values section = root.instance("Derived", name);
-    if (section.text("From") != analysis)
+    if (!holds(section.names("From"), analysis))
       continue;
     check_section(section, wanted.names);
     wanted.sections.push_back(section);

@@ -99,6 +99,10 @@ void Model::change_damping(double share, double self_excitation) {
     connection.damping *= share;
     damping_.add(connection.damping, connection.elongation.row);
   }
+  for (ModalDashpot &dashpot : modal_dashpots_) {
+    dashpot.damping *= share;
+    damping_.add(dashpot.damping, dashpot.coordinate.row);
+  }
   for (Source &source : sources_)
     source.rate_load *= share;
   list_drives();
@@ -162,12 +166,10 @@ void Model::add_load(const std::string &name, std::shared_ptr<const TimeFunction
 void Model::add_connection(Connection connection) {
   const RowVector &row = connection.elongation.row;
   stiffness_.add(connection.stiffness, row);
-  damping_.add(connection.damping, row);
-  for (std::size_t k = 0; k < sources_.size(); ++k) {
-    const double base_coefficients = connection.elongation.base_coefficients[k];
-    sources_[k].load -= connection.stiffness * base_coefficients * row.transpose();
-    sources_[k].rate_load -= connection.damping * base_coefficients * row.transpose();
-  }
+  for (std::size_t k = 0; k < sources_.size(); ++k)
+    sources_[k].load -=
+        connection.stiffness * connection.elongation.base_coefficients[k] * row.transpose();
+  add_dashpot(connection.damping, connection.elongation);
   list_drives();
   if (connection.cubic_stiffness != 0)
     cubic_.push_back(connections_.size());
@@ -346,6 +348,11 @@ Projection Model::displacement(const PointReference &point, const MotionAxis &ax
     for (std::size_t k = 0; k < sources_.size(); ++k)
       projection.base_coefficients[k] = carried_[k][point.body].dot(axis.direction);
   return projection;
+}
+
+bool Model::moves_base(std::size_t source) const {
+  return std::any_of(carried_[source].begin(), carried_[source].end(),
+                     [](const Vector3 &direction) { return !direction.isZero(0); });
 }
 
 Vector3 Model::base_displacement(std::size_t body, double time) const {

@@ -96,6 +96,13 @@ struct Bearing {
   Matrix rows() const; ///< 2 x n
 };
 
+/// A dashpot on a mode of the whole system: the force c p' acts against the coordinate p of the
+/// mode, of modal mass 1 kg, less what bases that move bring about at rest.
+struct ModalDashpot {
+  Projection coordinate; ///< p [m kg^1/2]
+  double damping = 0;    ///< c [1/s], twice the damping ratio times the angular frequency
+};
+
 /// A point of a body in the model.
 struct PointReference {
   std::size_t body = 0;
@@ -126,6 +133,7 @@ public:
   /// Sources must be complete before connections and rotors are added.
   void add_connection(Connection connection);
   void add_bearing(Bearing bearing);
+  void add_modal_dashpot(ModalDashpot dashpot);
   /// Its bodies have a Spin axis; those in the rotating frame need a constant speed. Before
   /// connections, for centrifugal forces are a source.
   void add_spin(const Spin &spin);
@@ -161,6 +169,7 @@ public:
   const std::vector<Source> &sources() const { return sources_; }
   const std::vector<Connection> &connections() const { return connections_; }
   const std::vector<Bearing> &bearings() const { return bearings_; }
+  const std::vector<ModalDashpot> &modal_dashpots() const { return modal_dashpots_; }
   const RotorSet &rotors() const { return rotors_; }
   /// First-order states of the motors [N m].
   Index n_drive() const { return rotors_.n_drive(); }
@@ -226,6 +235,8 @@ public:
   /// its rotation about the axis, for no base turns.
   Projection displacement(const PointReference &point, const MotionAxis &axis, bool absolute) const;
 
+  /// Does the source move the base of a body?
+  bool moves_base(std::size_t source) const;
   /// Base displacement of a body at a time: 3 components [m].
   Vector3 base_displacement(std::size_t body, double time) const;
   /// Its rate [m/s].
@@ -251,6 +262,7 @@ private:
   };
   void list_drives();
   void add_body_damping();
+  void add_dashpot(double damping, const Projection &elongation);
   void add_load(const std::string &name, std::shared_ptr<const TimeFunction> function,
                 const Vector &load);
   struct RunUp {
@@ -269,6 +281,7 @@ private:
   std::vector<Drive> drives_;
   std::vector<Connection> connections_;
   std::vector<std::size_t> cubic_; ///< connections with a cubic part
+  std::vector<ModalDashpot> modal_dashpots_;
   RotorSet rotors_;
   std::vector<Spin> spins_;
   std::vector<RunUp> run_ups_;                ///< of the spins whose speed changes

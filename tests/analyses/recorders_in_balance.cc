@@ -1,11 +1,14 @@
 // What different recorders tell of one motion fits together: momentum, velocities and impulses over
 // a window that is no whole number of periods, on a shaken floor, against a stop, with a dashpot.
+#include "analyses/recorders/energy.h"
 #include "analyses/recorders/extreme_values.h"
 #include "analyses/recorders/forces.h"
 #include "analyses/recorders/impacts.h"
 #include "analyses/recorders/statistics.h"
 #include "contact/laws/kelvin_voigt.h"
 #include "model/piecewise_function.h"
+#include "model/side.h"
+#include "model/system_damping.h"
 #include "support/recorded_windows.h"
 
 #include <gtest/gtest.h>
@@ -114,6 +117,50 @@ TEST(RecordersInBalanceTest, SquaresAreThoseOfMeanAndScatter) {
     const double rms = value_of(result, head + name + "/rms");
     EXPECT_NEAR(rms * rms, mean * mean + scatter * scatter, 1e-9 * rms * rms) << name;
   }
+}
+
+// Two floors, the upper one on the lower one, which stands on the shaken base and leans on the
+// ground; every mode is damped.
+System shaken_floors() {
+  Model model({testing::single_mass("lower", 3, 400, 0), testing::single_mass("upper", 2, 0, 1)});
+  model.add_base_motion(
+      "floor", std::make_shared<Harmonic>(Given::displacement, floor_amplitude, omega, 0.4), {0, 1},
+      Vector3::UnitX());
+  const auto connect = [&](const std::string &a, const std::string &b, double stiffness) {
+    model.add_connection(
+        {.name = a + " to " + b,
+         .side_a = a + ".head",
+         .side_b = b,
+         .elongation = relative_displacement({.a = a + ".head", .b = b}, Vector3::UnitX(), model),
+         .stiffness = stiffness});
+  };
+  connect("lower", "upper.head", 250);
+  connect("lower", "ground", 60);
+  const auto root = std::make_shared<parameters::Section>("", "");
+  declare_system_damping(*root);
+  add_system_damping(parameters::ParameterSet::parse(
+                         root, "subsection System damping\nset Damping ratio = 0.05, 0.1\nend\n",
+                         "test.prm", false)
+                         ->root(),
+                     model);
+  return testing::system_of(std::move(model));
+}
+
+TEST(RecordersInBalanceTest, SystemDampingTakesEnergyAndPushesTheBase) {
+  const System system = shaken_floors();
+  const PointResult energy = recorded<Energy>(system, window);
+  const double lost = value_of(energy, "system_damping/dissipated_energy");
+  EXPECT_GT(lost, 0.1 * value_of(energy, "energy/damping_work"));
+  EXPECT_NEAR(value_of(energy, "energy/residual"), 0, 1e-11 * lost);
+  // The change of momentum is the impulse of the forces on both bases.
+  const PointResult motion = recorded<Statistics>(system, window, ObservedSelection{});
+  const PointResult forces = recorded<Forces>(system, window);
+  const double inertia = 3 * value_of(motion, "point/lower.head/acceleration_x/mean") +
+                         2 * value_of(motion, "point/upper.head/acceleration_x/mean");
+  EXPECT_NEAR(inertia,
+              -value_of(forces, "body/lower/base_force_x/mean") -
+                  value_of(forces, "body/upper/base_force_x/mean"),
+              1e-9 * std::abs(inertia));
 }
 
 } // namespace recorders_in_balance_tests

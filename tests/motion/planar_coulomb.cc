@@ -83,6 +83,46 @@ TEST_P(PlanarCoulombTest, StopsUnderAConstantForce) {
     }
 }
 
+/// Several contacts of the sled, each with this part of the normal force and its directions turned
+/// by as many radians as it has contacts before it.
+ContactSet parted(const Model &model, const std::vector<double> &parts, double static_coefficient) {
+  std::vector<contact::ContactPair> pairs;
+  for (const double part : parts) {
+    const auto turn = static_cast<double>(pairs.size());
+    pairs.push_back(on_the_ground(
+        model,
+        constant_with(10 * part,
+                      std::make_shared<PlanarCoulomb>(CoulombConstants{
+                          .coefficient = 0.1, .static_coefficient = static_coefficient})),
+        {Vector3(std::cos(turn), std::sin(turn), 0), Vector3(-std::sin(turn), std::cos(turn), 0)}));
+    pairs.back().name += std::to_string(pairs.size());
+  }
+  return ContactSet(std::move(pairs));
+}
+
+// They stop, hold and start together as one contact with the sum of their forces does.
+TEST_P(PlanarCoulombTest, ContactsOfTheSameSidesAreOne) {
+  const bool exact = std::string(GetParam()) == "exact";
+  const Sled sled{.mass = 1, .kx = 1, .ky = 1.7, .driven = true};
+  const Model model = sled_model(sled);
+  for (const double static_coefficient : {0.1, 0.12}) {
+    Vector whole;
+    for (const std::vector<double> &parts :
+         std::vector<std::vector<double>>{{1}, {0.35, 0.65}, {0.02, 0.98}, {0.2, 0.5, 0.3}}) {
+      SCOPED_TRACE(std::to_string(parts.size()) + " " + std::to_string(parts.front()));
+      const ContactSet contacts = parted(model, parts, static_coefficient);
+      Trajectory trajectory(model, contacts, precise(GetParam()));
+      Changes changes(contacts);
+      trajectory.start(0, vector_of({1.5, 0.5, 0}), vector_of({0.2, -1, 0}));
+      trajectory.advance(11, changes);
+      if (whole.size() == 0)
+        whole = trajectory.state().head(6);
+      EXPECT_LT((trajectory.state().head(6) - whole).norm(), exact ? 1e-9 : 1e-7);
+      EXPECT_LT(trajectory.accuracy().energy_residual, exact ? 1e-10 : 1e-7);
+    }
+  }
+}
+
 /// Changes between stick and slip, with the place there.
 struct Place {
   double time, x, y;

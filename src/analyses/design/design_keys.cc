@@ -202,7 +202,8 @@ void check_at_bounds(const std::vector<DesignKey> &keys, const std::string &eval
 }
 
 void refuse_selections(const Values &analysis, const std::string &evaluated) {
-  for (const char *key : {"Excitations", "Active contacts", "Initial conditions"})
+  for (const char *key :
+       {"Excitations", "Active contacts", "Observed contacts", "Initial conditions"})
     if (analysis.given(key))
       analysis.reject(key, "must not be set here, but in the analysis " + evaluated);
 }

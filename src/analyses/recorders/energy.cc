@@ -66,7 +66,8 @@ double total(const std::vector<double> &parts) {
 Energy::Energy(const System &system)
     : system_(system), by_body_(system.model.bodies().size(), 0),
       by_connection_(system.model.connections().size(), 0),
-      by_motor_(system.model.rotors().list().size(), 0) {
+      by_motor_(system.model.rotors().list().size(), 0),
+      by_system_(system.model.modal_dashpots().empty() ? 0 : 1, 0) {
   for (const contact::ContactPair &pair : system.contacts.pairs())
     part_labels_.emplace_back("contact/" + pair.name + "/dissipated_energy",
                               "energy lost in the contact");
@@ -78,6 +79,9 @@ Energy::Energy(const System &system)
                               "energy lost in the connection");
   for (const model::Rotor &rotor : system.model.rotors().list())
     part_labels_.emplace_back("rotor/" + rotor.name + "/motor_work", "work of the motor");
+  if (!by_system_.empty())
+    part_labels_.emplace_back("system_damping/dissipated_energy",
+                              "energy lost by the system damping");
 }
 
 Energy::WorkLabels::WorkLabels(const std::string &path, const std::string &meaning)
@@ -110,30 +114,32 @@ double Energy::stored_energy(const Trajectory &trajectory) const {
 
 void Energy::begin(const Window &window, const Trajectory &trajectory) {
   window_ = window;
-  for (std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_})
+  for (std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_, &by_system_})
     std::fill(works->begin(), works->end(), 0);
   first_state_ = trajectory.state();
   first_energy_ = stored_energy(trajectory);
   base_work_ = -energy_beyond(trajectory);
 }
 
-void Energy::add_connection(std::size_t connection, const StepView &view) {
-  const Connection &dashpot = system_.model.connections()[connection];
-  if (dashpot.damping == 0)
-    return;
-  const double whole =
-      dashpot.damping * squared_rate(view.displacement(dashpot.elongation), view.length());
-  by_connection_[connection] += whole;
+double Energy::lost_in_dashpot(double damping, const model::Projection &elongation,
+                               const StepView &view) {
+  if (damping == 0)
+    return 0;
+  const double whole = damping * squared_rate(view.displacement(elongation), view.length());
   base_work_ +=
-      whole - dashpot.damping *
-                  squared_rate(view.displacement(without_base(dashpot.elongation)), view.length());
+      whole - damping * squared_rate(view.displacement(without_base(elongation)), view.length());
+  return whole;
 }
 
 void Energy::step(const StepView &view) {
   for (std::size_t b = 0; b < by_body_.size(); ++b)
     by_body_[b] += dissipated_by(system_.model, b, view);
-  for (std::size_t c = 0; c < by_connection_.size(); ++c)
-    add_connection(c, view);
+  for (std::size_t c = 0; c < by_connection_.size(); ++c) {
+    const Connection &connection = system_.model.connections()[c];
+    by_connection_[c] += lost_in_dashpot(connection.damping, connection.elongation, view);
+  }
+  for (const model::ModalDashpot &dashpot : system_.model.modal_dashpots())
+    by_system_[0] += lost_in_dashpot(dashpot.damping, dashpot.coordinate, view);
   for (std::size_t r = 0; r < by_motor_.size(); ++r)
     by_motor_[r] += motor_work(system_.model.rotors().list()[r], view);
 }
@@ -158,7 +164,7 @@ void Energy::add_fields(const FieldWriter &result) const {
                                    .n_sliding = system_.contacts.n_sliding()};
   const Vector change = last_state_ - first_state_;
   const double input = change[layout.input_work()] + base_work_;
-  const double damping = total(by_body_) + total(by_connection_);
+  const double damping = total(by_body_) + total(by_connection_) + total(by_system_);
   double contacts = 0;
   auto labels = part_labels_.begin();
   for (std::size_t c = 0; c < system_.contacts.size(); ++c) {
@@ -166,13 +172,13 @@ void Energy::add_fields(const FieldWriter &result) const {
     contacts += work;
     add_work(result, *labels++, work);
   }
-  for (const std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_})
+  for (const std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_, &by_system_})
     for (const double work : *works)
       add_work(result, *labels++, work);
   static const WorkLabels input_work("energy/input_work",
                                      "work of loads, moving bases, motors and what turns shafts");
   static const WorkLabels damping_work("energy/damping_work",
-                                       "energy lost by bodies and connections");
+                                       "energy lost by bodies, connections and system damping");
   static const WorkLabels contact_work("energy/contact_work", "energy lost in contacts");
   static const Label stored_change("energy/stored_change", "J",
                                    "stored energy at the end less the start");

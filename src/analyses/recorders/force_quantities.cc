@@ -84,6 +84,14 @@ Projection nothing(const Model &model) {
           .base_coefficients = std::vector<double>(model.sources().size(), 0)};
 }
 
+// The share of its force that acts on the base of a body.
+void add_to(Projection &by_velocity, const model::ModalDashpot &dashpot, double share) {
+  by_velocity.row += share * dashpot.damping * dashpot.coordinate.row;
+  for (std::size_t k = 0; k < by_velocity.base_coefficients.size(); ++k)
+    by_velocity.base_coefficients[k] +=
+        share * dashpot.damping * dashpot.coordinate.base_coefficients[k];
+}
+
 BaseForce base_force(const Model &model, std::size_t b, int axis) {
   const ReducedBody &body = *model.bodies()[b];
   const Vector weight = body.base_participation.col(axis).cwiseQuotient(body.mass);
@@ -91,6 +99,9 @@ BaseForce base_force(const Model &model, std::size_t b, int axis) {
   force.by_displacement.row.segment(model.offset(b), body.size()) =
       weight.cwiseProduct(body.stiffness).transpose();
   force.by_velocity.row.segment(model.offset(b), body.size()) = weight.transpose() * body.damping;
+  for (const model::ModalDashpot &dashpot : model.modal_dashpots())
+    add_to(force.by_velocity, dashpot,
+           dashpot.coordinate.row.segment(model.offset(b), body.size()).dot(weight));
   const double left = body.total_mass[axis] - weight.dot(body.base_participation.col(axis));
   const Projection moved = model.displacement({.body = b, .point = 0}, Vector3::Unit(axis), true);
   for (std::size_t k = 0; k < model.sources().size(); ++k)

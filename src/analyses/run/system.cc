@@ -3,12 +3,16 @@
 #include "common/error.h"
 #include "contact/connection_laws.h"
 #include "contact/contact_sections.h"
+#include "contact/observed_contacts.h"
 #include "model/assembled_system.h"
 #include "model/bearing.h"
 #include "model/connection.h"
 #include "model/excitation.h"
 #include "model/rotor_parameters.h"
+#include "model/system_damping.h"
 #include "motion/system/equilibrium.h"
+
+#include <algorithm>
 
 namespace vibroimpact::analyses {
 
@@ -16,6 +20,9 @@ using contact::ContactSet;
 using model::EquilibriumStart;
 
 namespace {
+
+constexpr const char *active_key = "Active contacts";
+constexpr const char *observed_key = "Observed contacts";
 
 // `key` of the analysis: all (of the file), none, or names.
 std::vector<std::string> selected(const parameters::Values &analysis, const std::string &key,
@@ -50,6 +57,36 @@ ContactSet start_in_equilibrium(EquilibriumStart start, const model::Model &mode
   return ContactSet(std::move(pairs), contacts.groups());
 }
 
+bool contains(const std::vector<std::string> &list, const std::string &name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+// Of the contacts that cannot close, those whose gap is recorded.
+std::vector<std::string> observed(const parameters::Values &analysis,
+                                  const std::vector<std::string> &active,
+                                  const std::vector<std::string> &available) {
+  std::vector<std::string> others;
+  for (const std::string &name : available)
+    if (!contains(active, name))
+      others.push_back(name);
+  const std::vector<std::string> names = analysis.names(observed_key);
+  for (const std::string &name : names)
+    if (contains(active, name))
+      analysis.reject(observed_key, "must not name " + name + ", which is among Active contacts");
+  return selected(analysis, observed_key, others);
+}
+
+ContactSet selected_contacts(const parameters::Values &root, const parameters::Values &analysis,
+                             const model::Model &model) {
+  const std::vector<std::string> available =
+      contact::contact_names(root, listed_instances(root, "Contacts", "Contact"));
+  const std::vector<std::string> active = selected(analysis, active_key, available);
+  const std::vector<std::string> without = observed(analysis, active, available);
+  std::vector<std::string> names = active;
+  names.insert(names.end(), without.begin(), without.end());
+  return contact::without_force(contact::read_contacts(root, names, model), without);
+}
+
 } // namespace
 
 std::vector<std::string> listed_instances(const parameters::Values &root, const std::string &key,
@@ -63,7 +100,10 @@ std::vector<std::string> listed_instances(const parameters::Values &root, const 
 
 void declare_selection(parameters::Section &analysis, const std::string &initial_default) {
   analysis.names("Excitations", "all", "Excitations that act: all, none, or their names.")
-      .names("Active contacts", "all", "Contacts that can close: all, none, or their names.")
+      .names(active_key, "all", "Contacts that can close: all, none, or their names.")
+      .names(observed_key, "none",
+             "Contacts that cannot close, and whose gap is recorded as that of the others: none, "
+             "all that are not active, or their names.")
       .names("Initial conditions", initial_default,
              "Initial conditions of the first motion: all, none (rest), or their names.");
 }
@@ -77,11 +117,9 @@ System build_system(const parameters::Values &root, const parameters::Values &an
   model::add_connections(root, model);
   model::add_bearings(root, model);
   model::add_rotors(root, model);
-  const std::vector<std::string> contacts =
-      contact::contact_names(root, listed_instances(root, "Contacts", "Contact"));
-  ContactSet contact_set = contact::with_connections(
-      root, model,
-      contact::read_contacts(root, selected(analysis, "Active contacts", contacts), model));
+  model::add_system_damping(root, model);
+  ContactSet contact_set =
+      contact::with_connections(root, model, selected_contacts(root, analysis, model));
   const std::vector<std::string> conditions =
       selected(analysis, "Initial conditions", root.instances("Initial condition"));
   model::InitialState initial = model::read_initial_state(root, conditions, model);

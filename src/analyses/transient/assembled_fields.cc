@@ -54,7 +54,7 @@ void add_participation(const FieldWriter &of, const Model &model, const Assemble
   }
 }
 
-/// Twice the energies of each mode in one body or connection.
+/// Twice the energies of each mode in one body or connection; empty where it has none.
 struct Energies {
   Vector strain, kinetic, loss;
 };
@@ -65,8 +65,9 @@ void add_shares(const FieldWriter &of, const AssembledModes &modes, const Energi
   const auto share = [](const Vector &some, const Vector &whole) {
     return numbers((whole.array() > 0).select(some.array() / whole.array(), 0.0));
   };
-  of.series("strain_energy_share", mode_dimension, share(part.strain, modes.stiffness), "1",
-            "share in the strain energy of each mode");
+  if (part.strain.size() > 0)
+    of.series("strain_energy_share", mode_dimension, share(part.strain, modes.stiffness), "1",
+              "share in the strain energy of each mode");
   if (part.kinetic.size() > 0)
     of.series("kinetic_energy_share", mode_dimension, numbers(part.kinetic), "1",
               "share in the kinetic energy of each mode");
@@ -96,6 +97,14 @@ Energies of_bearing(const model::Bearing &bearing, const AssembledModes &modes) 
     return motion.cwiseProduct(matrix * motion).colwise().sum().transpose();
   };
   return {.strain = by(bearing.stiffness), .kinetic = {}, .loss = by(bearing.damping)};
+}
+
+Energies of_system_damping(const Model &model, const AssembledModes &modes) {
+  Energies energies{.strain = {}, .kinetic = {}, .loss = Vector::Zero(modes.shapes.cols())};
+  for (const model::ModalDashpot &dashpot : model.modal_dashpots())
+    energies.loss +=
+        dashpot.damping * (dashpot.coordinate.row * modes.shapes).cwiseAbs2().transpose();
+  return energies;
 }
 
 void add_shapes(const FieldWriter &of, const Model &model, const AssembledModes &modes) {
@@ -180,6 +189,8 @@ void add_assembled_modes(const FieldWriter &result, const Model &model,
                of_connection(connection, modes));
   for (const model::Bearing &bearing : model.bearings())
     add_shares(of.below("bearing/" + bearing.name + "/"), modes, of_bearing(bearing, modes));
+  if (!model.modal_dashpots().empty())
+    add_shares(of.below("system_damping/"), modes, of_system_damping(model, modes));
   if (modes.modal_damping)
     return;
   if (modes.stiffness.size() > most_damped_modes)

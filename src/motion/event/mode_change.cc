@@ -67,6 +67,28 @@ std::optional<LocalState> imposed_slip(const Equations &equations, std::size_t c
   return found ? std::optional(slides) : std::nullopt;
 }
 
+// From stick into the slip that is imposed. Along two directions it begins as where the force of
+// stick, against that slip, has reached its limit: from no speed in a direction that is kept.
+void slide_along(Equations &equations, std::size_t contact, const LocalState &slides, double time,
+                 Vector &state) {
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
+  if (pair.tangential.size() < 2)
+    return equations.set_mode(contact, pair.law->mode_by_slip(equations.modes()[contact], slides));
+  LocalState at_limit = equations.local_state(contact, time, view_of(state));
+  for (std::size_t d = 0; d < pair.tangential.size(); ++d)
+    at_limit.tangential[d].force = -slides.tangential[d].slip_rate;
+  const std::vector<Guard> &guards = equations.mode(contact).guards;
+  const auto yields = std::ranges::find_if(guards, [&](const Guard &guard) {
+    return pair.law->modes()[static_cast<std::size_t>(guard.target)].friction ==
+           contact::Friction::slip;
+  });
+  const std::vector<double> internal(at_limit.internal.begin(), at_limit.internal.end());
+  at_limit.internal = internal; // the state changes below
+  const int target = yields->target;
+  reset(equations, contact, *yields, at_limit, state);
+  equations.set_mode(contact, target);
+}
+
 // Each mode is entered once at most; a law whose guards contradict each other stays where it is.
 bool stick_or_slip(Equations &equations, std::size_t contact, double time, Vector &state) {
   const std::size_t most = equations.contacts().pairs()[contact].law->modes().size();
@@ -74,8 +96,7 @@ bool stick_or_slip(Equations &equations, std::size_t contact, double time, Vecto
   for (std::size_t i = 0; i < most && equations.mode(contact).holds_slip; ++i) {
     equations.stop_slip(time, state);
     if (const auto slides = imposed_slip(equations, contact, time, state)) {
-      equations.set_mode(contact, equations.contacts().pairs()[contact].law->mode_by_slip(
-                                      equations.modes()[contact], *slides));
+      slide_along(equations, contact, *slides, time, state);
       return true;
     }
     const Guard *const fallen = no_stick(equations, contact, time, state);
@@ -119,6 +140,37 @@ bool has_friction(const Equations &equations, std::size_t contact) {
   return !equations.contacts().pairs()[contact].tangential.empty();
 }
 
+// Along two directions: the mode in which sides stick that slip at no speed, far below that at
+// which the direction of slip no longer counts; none: they do not.
+std::optional<int> stick_at_rest(const Equations &equations, std::size_t contact, double time,
+                                 const Vector &state) {
+  const contact::ContactPair &pair = equations.contacts().pairs()[contact];
+  if (pair.tangential.size() < 2 || equations.mode(contact).friction != contact::Friction::slip)
+    return std::nullopt;
+  constexpr double far_below = 1e-3;
+  const double slow = equations.local_state(contact, time, view_of(state)).slow_slip;
+  const LocalState local = sliding_state(equations, contact, time, state, far_below * slow);
+  const int mode = pair.law->mode_by_slip(equations.modes()[contact], local);
+  if (slides(local) || !pair.law->modes()[static_cast<std::size_t>(mode)].holds_slip)
+    return std::nullopt;
+  return mode;
+}
+
+// Sides that one contact holds may be those of others too, whose slip has then stopped with its
+// own: they stick as well, before it is asked which of them can.
+void stop_beside(Equations &equations, std::size_t contact, double time, Vector &state) {
+  std::vector<std::size_t> stopped = {contact};
+  if (equations.contacts().has_planes())
+    equations.stop_slip(time, state);
+  for (std::size_t c = 0; c < equations.contacts().size(); ++c)
+    if (const std::optional<int> mode = stick_at_rest(equations, c, time, state)) {
+      equations.set_mode(c, *mode);
+      stopped.push_back(c);
+    }
+  for (const std::size_t c : stopped)
+    stick_or_slip(equations, c, time, state);
+}
+
 } // namespace
 
 void pass_guard(Equations &equations, std::size_t contact, const Guard &guard, double time,
@@ -130,8 +182,8 @@ void pass_guard(Equations &equations, std::size_t contact, const Guard &guard, d
         target, sliding_state(equations, contact, time, state,
                               slip_rounding(equations, contact, time, state)));
   equations.set_mode(contact, target);
-  if (has_friction(equations, contact))
-    stick_or_slip(equations, contact, time, state);
+  if (has_friction(equations, contact) && equations.mode(contact).holds_slip)
+    stop_beside(equations, contact, time, state);
 }
 
 void settle_friction(Equations &equations, const ContactScales &scales, double time,

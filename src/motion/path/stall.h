@@ -12,8 +12,8 @@
 // many each stays long.
 //
 // Steps and contact changes of any kind are counted too, until the motion is beyond a horizon that
-// no motion needs thousands of them for: a thousandth of the shortest time scale, or what the
-// uncertainty of an instant leaves, where that is less.
+// no motion needs thousands of them for: a billionth of the shortest time scale, or what the
+// uncertainty of an instant leaves, where that is more, up to a thousandth of that scale.
 #pragma once
 
 #include <algorithm>
@@ -27,14 +27,15 @@ public:
   /// highest_frequency: of the model [rad/s]; 0: nothing vibrates.
   void begin(std::size_t n_contacts, double highest_frequency) {
     contacts_.assign(n_contacts, {});
-    shortest_ =
-        highest_frequency > 0 ? 1e-3 / highest_frequency : std::numeric_limits<double>::infinity();
+    const bool vibrates = highest_frequency > 0;
+    shortest_ = vibrates ? 1e-3 / highest_frequency : std::numeric_limits<double>::infinity();
+    least_ = vibrates ? 1e-9 / highest_frequency : 0;
     quick_ = count_ = 0;
     mark_ = -std::numeric_limits<double>::infinity();
   }
   /// Something was done; the motion is at `time` [s] now, an instant with the `uncertainty` [s].
   void pass(double time, double uncertainty) {
-    const bool beyond = time > mark_ + std::min(100 * uncertainty, shortest_);
+    const bool beyond = time > mark_ + std::min(std::max(100 * uncertainty, least_), shortest_);
     count_ = beyond ? 0 : count_ + 1;
     mark_ = beyond ? time : mark_;
   }
@@ -60,6 +61,7 @@ private:
   std::vector<Stays> contacts_;
   long quick_ = 0;      ///< of the contact that changed last
   double shortest_ = 0; ///< a thousandth of the shortest time scale [s]
+  double least_ = 0;    ///< a billionth of it, 0 where there is none [s]
   double mark_ = 0;
   long count_ = 0; ///< since the mark
 };

@@ -87,10 +87,32 @@ ActiveConstraints::ActiveConstraints(const model::Model &model, const contact::C
       rates_(k, 1) = 0;
   }
   along_ = rows_;
+  weigh(contacts, modes);
   for (Index k = 0; k < size(); ++k)
     if (const double share = held(k).friction; share != 0)
       along_.row(k) += share * contacts.pairs()[held(k).contact].tangential.front().slip.row;
   set_response(model.mass().cwiseInverse().asDiagonal() * along_.transpose());
+}
+
+// The least sum of |F_k|^2 / w_k^2 has shares that go as w_k^2. A weight far below the others would
+// make what its contact alone holds seem to be held by none.
+void ActiveConstraints::weigh(const contact::ContactSet &contacts, const std::vector<int> &modes) {
+  constexpr double least = 1e-3;
+  weights_.setOnes(size());
+  Vector limits = Vector::Zero(size());
+  for (Index k = 0; k < size(); ++k) {
+    const auto &circle = mode_of(contacts, held(k).contact, modes).limit;
+    if (held(k).direction == 0 || !circle)
+      continue;
+    contact::AffineForm varying = circle->radius;
+    varying.constant = 0;
+    if (!varying.zero())
+      return;
+    limits[k] = circle->radius.constant;
+  }
+  if (limits.size() > 0 && limits.maxCoeff() > 0)
+    weights_ =
+        (limits.array() > 0).select((limits / limits.maxCoeff()).cwiseSqrt().cwiseMax(least), 1.0);
 }
 
 bool ActiveConstraints::holds(std::size_t contact) const {
@@ -113,9 +135,11 @@ void ActiveConstraints::set_rows(Index k, const RowVector &row, const RowVector 
 
 void ActiveConstraints::set_response(const Matrix &response) {
   response_ = response;
-  factor_ = std::make_shared<const LeastNorm>(rows_ * response_);
+  factor_ = std::make_shared<const LeastNorm>(rows_ * response_ * weights_.asDiagonal());
 }
 
-Matrix ActiveConstraints::forces(const Matrix &missing) const { return factor_->solve(missing); }
+Matrix ActiveConstraints::forces(const Matrix &missing) const {
+  return weights_.asDiagonal() * factor_->solve(missing);
+}
 
 } // namespace vibroimpact::motion

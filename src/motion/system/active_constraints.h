@@ -15,7 +15,9 @@
 //
 // A motion that starts with gap = gap' = 0 keeps both at zero, whatever a and b are; they make what
 // rounding leaves die out instead of grow, and the two being different keeps the equations
-// diagonalizable. Forces of contacts that hold the same direction twice are shared equally.
+// diagonalizable. Contacts that hold the same direction twice share the force: equally, or, where
+// the limits of all sticks along two directions are constant, by these limits, so that sides which
+// the contacts could hold together slip only where the sum of the limits is reached.
 #pragma once
 
 #include "common/decompositions.h"
@@ -66,11 +68,14 @@ public:
   Matrix forces(const Matrix &missing) const;
 
 private:
+  void weigh(const contact::ContactSet &contacts, const std::vector<int> &modes);
+
   std::vector<HeldDirection> held_;
   Matrix rows_, along_, response_;
   bool turn_ = false;
+  Vector weights_;                          ///< of the shares in what is held twice, 1 at most
   Matrix rates_;                            ///< held directions x 2; b = 0: held where it is
-  std::shared_ptr<const LeastNorm> factor_; ///< of W M^-1 W_F^T
+  std::shared_ptr<const LeastNorm> factor_; ///< of W M^-1 W_F^T, columns weighted
 };
 
 /// Tangential force per unit of the force that holds the gap in a mode: of a contact that slides.
