@@ -352,7 +352,10 @@ Projection Model::displacement(const PointReference &point, const MotionAxis &ax
 
 bool Model::moves_base(std::size_t source) const {
   return std::any_of(carried_[source].begin(), carried_[source].end(),
-                     [](const Vector3 &direction) { return !direction.isZero(0); });
+                     [](const Vector3 &direction) { return !direction.isZero(0); }) ||
+         std::any_of(connections_.begin(), connections_.end(), [&](const Connection &connection) {
+           return connection.elongation.base_coefficients[source] != 0;
+         });
 }
 
 Vector3 Model::base_displacement(std::size_t body, double time) const {

@@ -235,7 +235,7 @@ public:
   /// its rotation about the axis, for no base turns.
   Projection displacement(const PointReference &point, const MotionAxis &axis, bool absolute) const;
 
-  /// Does the source move the base of a body?
+  /// Does the source move the base of a body, or an end of a connection?
   bool moves_base(std::size_t source) const;
   /// Base displacement of a body at a time: 3 components [m].
   Vector3 base_displacement(std::size_t body, double time) const;

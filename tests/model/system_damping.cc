@@ -82,6 +82,26 @@ TEST(SystemDampingTest, SlowMotionsOfABaseBringNoForce) {
   EXPECT_TRUE(floor.rate_load.isApprox(model.damping().dense() * rest, 1e-13));
 }
 
+// The same with an end of a connection that moves.
+TEST(SystemDampingTest, SlowMotionsOfASupportBringNoForce) {
+  Model model({single_mass("a", 2, 0, 0), single_mass("b", 1, 60, 0)});
+  model.add_base_motion("support", std::make_shared<Harmonic>(Given::displacement, 0.1, 3, 0.4), {},
+                        Vector3::UnitX());
+  Projection elongation =
+      relative_displacement({.a = "a.head", .b = side_ground}, Vector3::UnitX(), model);
+  elongation.base_coefficients[0] += 1;
+  model.add_connection({.name = "held",
+                        .side_a = "a.head",
+                        .side_b = side_ground,
+                        .elongation = elongation,
+                        .stiffness = 20});
+  connect(model, "a.head", "b.head", 50, 0);
+  damp(model, "set Damping ratio = 0.02, 0.05\n");
+  const Vector rest = model.stiffness().dense().lu().solve(model.sources()[0].load);
+  EXPECT_GT(rest.norm(), 0.1);
+  EXPECT_TRUE(model.sources()[0].rate_load.isApprox(model.damping().dense() * rest, 1e-13));
+}
+
 TEST(SystemDampingTest, RigidMotionsAreNotDampedByRatios) {
   Model model({single_mass("a", 2, 0, 0), single_mass("b", 5, 0, 0)});
   connect(model, "a.head", "b.head", 7, 0);
