@@ -110,7 +110,8 @@ int run(const CommandLine &line) {
   const std::string folder = options.folder.string();
   if (summary.unbalanced > 0)
     log::warning("the energy balance is not closed at " + std::to_string(summary.unbalanced) +
-                 " points; energy_residual in results.h5 shows where and by how much. A smaller "
+                 (summary.unbalanced == 1 ? " point" : " points") +
+                 "; energy_residual in results.h5 shows where and by how much. A smaller "
                  "Relative tolerance helps, with another Method than "
                  "exact also a smaller Absolute tolerance; where neither does, compare with "
                  "Method = rk.");

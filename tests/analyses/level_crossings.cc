@@ -2,6 +2,7 @@
 // jumps of rigid impacts, and of what rests at a level.
 #include "analyses/recorders/level_crossings.h"
 
+#include "contact/laws/linear_penalty.h"
 #include "contact/laws/newton_restitution.h"
 #include "support/recorded_windows.h"
 
@@ -108,6 +109,21 @@ TEST_F(LevelCrossingsTest, JumpsPassLevels) {
   EXPECT_EQ(field_of(result, velocity + "/up_crossings").values, (std::vector<double>{4, 3, 0}));
   EXPECT_NEAR(field_of(result, velocity + "/first_passage").values[1], std::acos(-0.1 / amplitude),
               1e-9);
+}
+
+// Steps end where a contact closes or opens; at that level too each passage counts once.
+TEST_F(LevelCrossingsTest, LevelAtWhichAContactCloses) {
+  for (const double clearance : {0.1, 0.07, 0.123}) {
+    System stopped = system();
+    stopped.contacts = contact::ContactSet({testing::contact_along_x(
+        stopped.model, "block.head", "", clearance, std::make_shared<contact::LinearPenalty>(30))});
+    const PointResult result = crossings(stopped, Window{.start = 0, .end = 400}, "displacement",
+                                         {clearance - 1e-7, clearance, clearance + 1e-7});
+    const std::vector<double> &rises = field_of(result, displacement + "/up_crossings").values;
+    EXPECT_GT(rises[0], 80);
+    EXPECT_EQ(rises[1], rises[0]);
+    EXPECT_EQ(rises[1], rises[2]);
+  }
 }
 
 } // namespace level_crossings_tests

@@ -107,26 +107,31 @@ void LevelCrossings::step(const motion::StepView &view) {
     for (const double value : settings_.levels) {
       motion::Bernstein distance = along_step;
       distance += -value;
-      add(*level++, distance, view);
+      add(*level++, value, distance, view);
     }
   }
   if (blocks_.ends_with(view))
     blocks_.end_block(view.end(), totals());
 }
 
-// Where it is zero all along it stays on its side.
-void LevelCrossings::add(Level &level, const motion::Bernstein &distance,
+// Where it is zero but for rounding it stays on its side: a step that ends where a contact closes
+// at that level may end just beyond it, and the next one begin just before.
+void LevelCrossings::add(Level &level, double value, const motion::Bernstein &distance,
                          const motion::StepView &view) const {
+  constexpr double rounding = 1e-12; // of the largest distance and the level
   const double start = view.start() - window_.start;
   if (distance.lower_bound() > 0 || distance.upper_bound() < 0)
     return level.add(distance.lower_bound() > 0, start, view.length());
   std::vector<double> ends = sign_changes(distance);
   if (ends.empty() || ends.back() < 1)
     ends.push_back(1);
+  const double least =
+      rounding * (std::max(-distance.lower_bound(), distance.upper_bound()) + std::abs(value));
   double from = 0;
   for (const double to : ends) {
     const double between = distance((from + to) / 2);
-    const bool above = between > 0 || (between == 0 && level.above.value_or(false));
+    const bool stays = std::abs(between) <= least && level.above.has_value();
+    const bool above = stays ? *level.above : between > 0;
     level.add(above, start + from * view.length(), (to - from) * view.length());
     from = to;
   }

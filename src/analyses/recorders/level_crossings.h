@@ -50,7 +50,8 @@ private:
     explicit Labels(const Observable &observed);
     Label rises, rate, rate_error, fraction, fraction_error, passage;
   };
-  void add(Level &level, const motion::Bernstein &distance, const motion::StepView &view) const;
+  void add(Level &level, double value, const motion::Bernstein &distance,
+           const motion::StepView &view) const;
   Vector totals() const;
   /// What `of` makes of each level of a quantity.
   template <typename Of> std::vector<double> of_levels(std::size_t observable, Of of) const;
