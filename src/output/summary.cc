@@ -96,13 +96,14 @@ SummaryList analysis_summary(const AnalysisHeader &header, const derived::PointS
     list.add(prefix + ".points", static_cast<double>(count), "1");
   points([&](const PointResult &point) {
     totals.add(point);
+    // Of points without numbers the totals give the reasons.
+    if (count <= most_told_points && !point.reason.empty() &&
+        (point.status == Status::finished || !point.summary.empty()))
+      list.add_note(prefix + index_in_brackets(point.index), point.reason);
     if (!listed)
       return;
     const std::string point_prefix =
         point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
-    // Of points without numbers the totals give the reasons.
-    if (!point.reason.empty() && (point.status == Status::finished || !point.summary.empty()))
-      list.add_note(prefix + index_in_brackets(point.index), point.reason);
     for (const SummaryLine &line : point.summary) {
       const bool absolute = line.name().starts_with('/');
       list.add(absolute ? line.name().substr(1) : point_prefix + line.name(), line.value,

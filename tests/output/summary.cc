@@ -60,7 +60,7 @@ TEST(Summary, LongMapsAreNotListed) {
   PointResult point{.index = {3}, .status = Status::failed};
   point.summary = {{Label("force", "N", ""), 1}};
   EXPECT_EQ(summary_of(header, {point}),
-            "analysis.map.points = 10001 [1]\nanalysis.map.failed_points = 1 [1]\n");
+            "analysis.map.points = 101 [1]\nanalysis.map.failed_points = 1 [1]\n");
   header.axes[0].values.pop_back();
   EXPECT_EQ(summary_of(header, {point}),
             "analysis.map[4].force = 1 [N]\nanalysis.map.failed_points = 1 [1]\n");
