@@ -86,30 +86,38 @@ SummaryList contact_summary(const std::vector<contact::ContactFigures> &contacts
   return list;
 }
 
+namespace {
+
+void add_numbers(SummaryList &list, const PointResult &point, const std::string &prefix) {
+  for (const SummaryLine &line : point.summary) {
+    const bool absolute = line.name().starts_with('/');
+    list.add(absolute ? line.name().substr(1) : prefix + line.name(), line.value, line.unit());
+  }
+}
+
+} // namespace
+
 SummaryList analysis_summary(const AnalysisHeader &header, const derived::PointSequence &points,
                              PointTotals &totals) {
   const std::string prefix = "analysis." + header.name;
-  SummaryList list;
-  const std::size_t count = point_count(header);
-  const bool listed = count <= most_listed_points;
-  if (!listed)
-    list.add(prefix + ".points", static_cast<double>(count), "1");
+  SummaryList words, all; // of the points
+  std::size_t with_words = 0, with_numbers = 0;
   points([&](const PointResult &point) {
     totals.add(point);
+    const std::string name = prefix + index_in_brackets(point.index);
     // Of points without numbers the totals give the reasons.
-    if (count <= most_told_points && !point.reason.empty() &&
-        (point.status == Status::finished || !point.summary.empty()))
-      list.add_note(prefix + index_in_brackets(point.index), point.reason);
-    if (!listed)
-      return;
-    const std::string point_prefix =
-        point.summary.empty() ? "" : prefix + index_in_brackets(point.index) + ".";
-    for (const SummaryLine &line : point.summary) {
-      const bool absolute = line.name().starts_with('/');
-      list.add(absolute ? line.name().substr(1) : point_prefix + line.name(), line.value,
-               line.unit());
-    }
+    if (!point.reason.empty() && (point.status == Status::finished || !point.summary.empty()) &&
+        ++with_words <= most_listed_points)
+      for (SummaryList *list : {&words, &all})
+        list->add_note(name, point.reason);
+    if (!point.summary.empty() && ++with_numbers <= most_listed_points)
+      add_numbers(all, point, name + ".");
   });
+  const bool listed = with_numbers <= most_listed_points;
+  SummaryList list;
+  if (!listed)
+    list.add(prefix + ".points", static_cast<double>(point_count(header)), "1");
+  list.append(listed ? all : words);
   totals.add_to(list, prefix);
   return list;
 }

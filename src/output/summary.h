@@ -17,16 +17,14 @@ SummaryList body_summary(const reduction::ReducedBody &body);
 /// contact for which they are known.
 SummaryList contact_summary(const std::vector<contact::ContactFigures> &contacts);
 
-/// Nobody reads the numbers of more points than this, nor what more points say in words than that.
+/// Nobody reads the lines of more points than this.
 constexpr std::size_t most_listed_points = 100;
-constexpr std::size_t most_told_points = 10000;
 
 /// The lines of all points in the order of their index: `analysis.NAME.name = value [unit]`, with
 /// outer axes `analysis.NAME[2,1,17].name`, counted from 1, below `# analysis.NAME[2,1,17]: TEXT`
 /// for what a finished point says in words; then the lines of `totals`, to which
-/// all points are added. With more than most_listed_points the numbers of the points are left out
-/// and `analysis.NAME.points` tells how many there are; with more than most_told_points the words
-/// too.
+/// all points are added. Where more than most_listed_points have numbers these are left out and
+/// `analysis.NAME.points` tells how many points there are; so are words of more points than that.
 SummaryList analysis_summary(const AnalysisHeader &header, const derived::PointSequence &points,
                              PointTotals &totals);
 

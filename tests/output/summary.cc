@@ -53,17 +53,22 @@ TEST(Summary, PointsAreCountedFromOne) {
 TEST(Summary, LongMapsAreNotListed) {
   AnalysisHeader header{"map", "stepped sweep", {}};
   header.axes.push_back({.name = "frequency",
-                         .values = std::vector<double>(most_listed_points + 1),
+                         .values = std::vector<double>(most_listed_points + 9),
                          .labels = {},
                          .unit = "Hz",
                          .description = ""});
-  PointResult point{.index = {3}, .status = Status::failed};
-  point.summary = {{Label("force", "N", ""), 1}};
-  EXPECT_EQ(summary_of(header, {point}),
-            "analysis.map.points = 101 [1]\nanalysis.map.failed_points = 1 [1]\n");
-  header.axes[0].values.pop_back();
-  EXPECT_EQ(summary_of(header, {point}),
-            "analysis.map[4].force = 1 [N]\nanalysis.map.failed_points = 1 [1]\n");
+  std::vector<PointResult> points;
+  for (std::size_t i = 0; i <= most_listed_points; ++i) {
+    points.push_back({.index = {i}, .status = Status::finished});
+    points.back().summary = {{Label("force", "N", ""), 1}};
+  }
+  points[3].reason = "It stays at rest.";
+  EXPECT_EQ(summary_of(header, points),
+            "analysis.map.points = 109 [1]\n# analysis.map[4]: It stays at rest.\n");
+  points.pop_back();
+  const std::string text = summary_of(header, points);
+  EXPECT_EQ(std::ranges::count(text, '\n'), most_listed_points + 1);
+  EXPECT_NE(text.find("analysis.map[100].force = 1 [N]"), std::string::npos);
 }
 
 TEST(Summary, WithoutAxesThereIsNoIndex) {
