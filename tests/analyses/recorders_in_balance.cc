@@ -9,6 +9,7 @@
 #include "model/piecewise_function.h"
 #include "model/side.h"
 #include "model/system_damping.h"
+#include "support/planar_models.h"
 #include "support/recorded_windows.h"
 
 #include <gtest/gtest.h>
@@ -161,6 +162,37 @@ TEST(RecordersInBalanceTest, SystemDampingTakesEnergyAndPushesTheBase) {
               -value_of(forces, "body/lower/base_force_x/mean") -
                   value_of(forces, "body/upper/base_force_x/mean"),
               1e-9 * std::abs(inertia));
+}
+
+// A mass on a shaken base, in a bearing that joins both directions and stands on the ground.
+TEST(RecordersInBalanceTest, BearingsTakeEnergyAndPushTheGround) {
+  Model model({testing::sled_body({.mass = mass, .kx = 300, .ky = 200})});
+  model.add_base_motion(
+      "floor", std::make_shared<Harmonic>(Given::displacement, floor_amplitude, omega, 0.4), {0},
+      Vector3::UnitX());
+  Bearing film{.name = "film",
+               .side_a = "sled.head",
+               .side_b = "ground",
+               .elongation = {model.displacement({}, -Vector3::UnitX(), true),
+                              model.displacement({}, -Vector3::UnitY(), true)}};
+  film.stiffness << 50, 20, -15, 40;
+  film.damping << 3, 1, 0.5, 2;
+  model.add_bearing(film);
+  const System system = testing::system_of(std::move(model));
+  const PointResult energy = recorded<Energy>(system, window);
+  const double lost = value_of(energy, "bearing/film/dissipated_energy");
+  EXPECT_GT(lost, 0);
+  EXPECT_EQ(value_of(energy, "energy/damping_work"), lost);
+  EXPECT_NEAR(value_of(energy, "energy/residual"), 0, 1e-10 * lost);
+  const PointResult motion = recorded<Statistics>(system, window, ObservedSelection{});
+  const PointResult forces = recorded<Forces>(system, window);
+  for (const std::string axis : {"x", "y"}) {
+    const double inertia =
+        mass * value_of(motion, "point/sled.head/acceleration_" + axis + "/mean");
+    EXPECT_NEAR(inertia, -value_of(forces, "body/sled/base_force_" + axis + "/mean"),
+                1e-8 * std::abs(inertia));
+  }
+  EXPECT_NE(value_of(forces, "bearing/film/second_force/mean"), 0);
 }
 
 } // namespace recorders_in_balance_tests

@@ -20,13 +20,30 @@ model::Projection without_base(model::Projection projection) {
   return projection;
 }
 
-// Integral of the square of the rate of a displacement.
-double squared_rate(const Bernstein &displacement, double length) {
-  const Bernstein rate = displacement.derivative();
+// Integral of the product of the rates of two displacements.
+double product_of_rates(const Bernstein &a, const Bernstein &b, double length) {
+  const Bernstein rate_a = a.derivative(), rate_b = b.derivative();
   double sum = 0;
   for (const QuadratureNode &node : step_nodes())
-    sum += node.weight * rate(node.tau) * rate(node.tau);
+    sum += node.weight * rate_a(node.tau) * rate_b(node.tau);
   return sum / length;
+}
+
+double squared_rate(const Bernstein &displacement, double length) {
+  return product_of_rates(displacement, displacement, length);
+}
+
+// Of both elongations, or of what the motion relative to the base makes of them.
+double lost(const model::Bearing &bearing, const std::array<model::Projection, 2> &elongation,
+            const StepView &view) {
+  const std::array<Bernstein, 2> along = {view.displacement(elongation[0]),
+                                          view.displacement(elongation[1])};
+  double sum = 0;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j)
+      if (const double c = bearing.damping(static_cast<Index>(i), static_cast<Index>(j)); c != 0)
+        sum += c * product_of_rates(along[i], along[j], view.length());
+  return sum;
 }
 
 double dissipated_by(const model::Model &model, std::size_t b, const StepView &view) {
@@ -66,6 +83,7 @@ double total(const std::vector<double> &parts) {
 Energy::Energy(const System &system)
     : system_(system), by_body_(system.model.bodies().size(), 0),
       by_connection_(system.model.connections().size(), 0),
+      by_bearing_(system.model.bearings().size(), 0),
       by_motor_(system.model.rotors().list().size(), 0),
       by_system_(system.model.modal_dashpots().empty() ? 0 : 1, 0) {
   for (const contact::ContactPair &pair : system.contacts.pairs())
@@ -77,6 +95,9 @@ Energy::Energy(const System &system)
   for (const Connection &connection : system.model.connections())
     part_labels_.emplace_back("connection/" + connection.name + "/dissipated_energy",
                               "energy lost in the connection");
+  for (const model::Bearing &bearing : system.model.bearings())
+    part_labels_.emplace_back("bearing/" + bearing.name + "/dissipated_energy",
+                              "energy lost in the bearing");
   for (const model::Rotor &rotor : system.model.rotors().list())
     part_labels_.emplace_back("rotor/" + rotor.name + "/motor_work", "work of the motor");
   if (!by_system_.empty())
@@ -104,6 +125,13 @@ double Energy::energy_beyond(const Trajectory &trajectory) const {
     const double relative = spring.elongation.row.dot(q);
     energy += spring.stiffness * (whole * whole - relative * relative) / 2;
   }
+  for (const model::Bearing &bearing : system_.model.bearings()) {
+    const Eigen::Vector2d relative = bearing.rows() * q;
+    const Eigen::Vector2d whole(system_.model.value(bearing.elongation[0], time, q),
+                                system_.model.value(bearing.elongation[1], time, q));
+    energy +=
+        (whole.dot(bearing.stiffness * whole) - relative.dot(bearing.stiffness * relative)) / 2;
+  }
   return energy;
 }
 
@@ -114,7 +142,8 @@ double Energy::stored_energy(const Trajectory &trajectory) const {
 
 void Energy::begin(const Window &window, const Trajectory &trajectory) {
   window_ = window;
-  for (std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_, &by_system_})
+  for (std::vector<double> *works :
+       {&by_body_, &by_connection_, &by_bearing_, &by_motor_, &by_system_})
     std::fill(works->begin(), works->end(), 0);
   first_state_ = trajectory.state();
   first_energy_ = stored_energy(trajectory);
@@ -131,6 +160,15 @@ double Energy::lost_in_dashpot(double damping, const model::Projection &elongati
   return whole;
 }
 
+double Energy::lost_in_bearing(const model::Bearing &bearing, const StepView &view) {
+  const double whole = lost(bearing, bearing.elongation, view);
+  base_work_ +=
+      whole - lost(bearing,
+                   {without_base(bearing.elongation[0]), without_base(bearing.elongation[1])},
+                   view);
+  return whole;
+}
+
 void Energy::step(const StepView &view) {
   for (std::size_t b = 0; b < by_body_.size(); ++b)
     by_body_[b] += dissipated_by(system_.model, b, view);
@@ -138,6 +176,8 @@ void Energy::step(const StepView &view) {
     const Connection &connection = system_.model.connections()[c];
     by_connection_[c] += lost_in_dashpot(connection.damping, connection.elongation, view);
   }
+  for (std::size_t k = 0; k < by_bearing_.size(); ++k)
+    by_bearing_[k] += lost_in_bearing(system_.model.bearings()[k], view);
   for (const model::ModalDashpot &dashpot : system_.model.modal_dashpots())
     by_system_[0] += lost_in_dashpot(dashpot.damping, dashpot.coordinate, view);
   for (std::size_t r = 0; r < by_motor_.size(); ++r)
@@ -164,7 +204,8 @@ void Energy::add_fields(const FieldWriter &result) const {
                                    .n_sliding = system_.contacts.n_sliding()};
   const Vector change = last_state_ - first_state_;
   const double input = change[layout.input_work()] + base_work_;
-  const double damping = total(by_body_) + total(by_connection_) + total(by_system_);
+  const double damping =
+      total(by_body_) + total(by_connection_) + total(by_bearing_) + total(by_system_);
   double contacts = 0;
   auto labels = part_labels_.begin();
   for (std::size_t c = 0; c < system_.contacts.size(); ++c) {
@@ -172,13 +213,14 @@ void Energy::add_fields(const FieldWriter &result) const {
     contacts += work;
     add_work(result, *labels++, work);
   }
-  for (const std::vector<double> *works : {&by_body_, &by_connection_, &by_motor_, &by_system_})
+  for (const std::vector<double> *works :
+       {&by_body_, &by_connection_, &by_bearing_, &by_motor_, &by_system_})
     for (const double work : *works)
       add_work(result, *labels++, work);
   static const WorkLabels input_work("energy/input_work",
                                      "work of loads, moving bases, motors and what turns shafts");
-  static const WorkLabels damping_work("energy/damping_work",
-                                       "energy lost by bodies, connections and system damping");
+  static const WorkLabels damping_work(
+      "energy/damping_work", "energy lost by bodies, connections, bearings and system damping");
   static const WorkLabels contact_work("energy/contact_work", "energy lost in contacts");
   static const Label stored_change("energy/stored_change", "J",
                                    "stored energy at the end less the start");

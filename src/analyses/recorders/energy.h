@@ -24,9 +24,9 @@ public:
   void step(const motion::StepView &view) override;
   void end(const motion::Trajectory &trajectory) override;
   /// energy/input_work, /damping_work, /contact_work, /stored_change, /residual (stored change less
-  /// input plus losses), dissipated_energy of every body, connection and contact and of the system
-  /// damping, and motor_work of every rotor [J]; all works also per period where the window has
-  /// periods.
+  /// input plus losses), dissipated_energy of every body, connection, bearing and contact and of
+  /// the system damping, and motor_work of every rotor [J]; all works also per period where the
+  /// window has periods.
   void add_fields(const FieldWriter &result) const override;
 
 private:
@@ -40,14 +40,15 @@ private:
   double stored_energy(const motion::Trajectory &trajectory) const;
   double lost_in_dashpot(double damping, const model::Projection &elongation,
                          const motion::StepView &view);
+  double lost_in_bearing(const model::Bearing &bearing, const motion::StepView &view);
 
   const System &system_;
-  /// Of contacts, bodies, connections, rotors and system damping, in this order.
+  /// Of contacts, bodies, connections, bearings, rotors and system damping, in this order.
   std::vector<WorkLabels> part_labels_;
   Window window_;
   Vector first_state_, last_state_;
   double first_energy_ = 0, last_energy_ = 0;
-  std::vector<double> by_body_, by_connection_, by_motor_; ///< [J]
+  std::vector<double> by_body_, by_connection_, by_bearing_, by_motor_; ///< [J]
   std::vector<double> by_system_; ///< of the system damping, if there is one [J]
   /// What dashpots and springs to a moving base take in beyond the input work of the equations,
   /// which counts only the motion relative to the base [J].

@@ -3,6 +3,7 @@
 #include "common/decompositions.h"
 
 #include <cmath>
+#include <functional>
 
 namespace vibroimpact::analyses {
 
@@ -42,27 +43,45 @@ Bernstein tension(const Connection &connection, const StepView &view) {
   return sum;
 }
 
-// Does it lead from a point of the body to the base or the ground?
-bool supports(const Connection &connection, const Model &model, std::size_t body,
-              PointReference &point) {
-  return (connection.side_b == "base" || connection.side_b == "ground") &&
-         model.find_point(connection.side_a, point) && point.body == body;
+// Of a bearing along one of its directions: what pulls the ends together.
+Bernstein pull(const model::Bearing &bearing, Index direction, const StepView &view) {
+  const auto part = [&](Index seen) {
+    const Bernstein elongation =
+        view.displacement(bearing.elongation[static_cast<std::size_t>(seen)]);
+    Bernstein sum = elongation;
+    sum *= bearing.stiffness(direction, seen);
+    Bernstein rate = elongation.derivative();
+    rate *= bearing.damping(direction, seen) / view.length();
+    sum += rate;
+    return sum;
+  };
+  Bernstein sum = part(0);
+  sum += part(1);
+  return sum;
+}
+
+// Does a connection or bearing lead from a point of the body to the base or the ground?
+template <class Link>
+bool supports(const Link &link, const Model &model, std::size_t body, PointReference &point) {
+  return (link.side_b == "base" || link.side_b == "ground") &&
+         model.find_point(link.side_a, point) && point.body == body;
 }
 
 // The direction of a support, from how the elongation sees the point's displacement; what cannot
 // move counts as zero.
-Vector3 direction_of(const Connection &connection, const Model &model,
+Vector3 direction_of(const Projection &elongation, const Model &model,
                      const PointReference &point) {
   const ReducedBody &body = *model.bodies()[point.body];
   const Matrix rows = body.points[point.point].rows.topRows(3).transpose();
-  const Vector seen =
-      -connection.elongation.row.segment(model.offset(point.body), body.size()).transpose();
+  const Vector seen = -elongation.row.segment(model.offset(point.body), body.size()).transpose();
   return least_norm_solution(rows, seen);
 }
 
+using PulledBy = std::function<Bernstein(const StepView &)>;
+
 struct BaseForce {
-  Projection by_displacement, by_velocity, by_base; ///< the last one for accelerations
-  std::vector<std::pair<double, Connection>> supports;
+  Projection by_displacement, by_velocity, by_base;  ///< the last one for accelerations
+  std::vector<std::pair<double, PulledBy>> supports; ///< factors and tensions
 
   Bernstein along(const StepView &view) const {
     Bernstein sum = view.displacement(by_displacement);
@@ -70,8 +89,8 @@ struct BaseForce {
     rate *= 1 / view.length();
     sum += rate;
     sum += view.acceleration(by_base);
-    for (const auto &[factor, connection] : supports) {
-      Bernstein part = tension(connection, view);
+    for (const auto &[factor, tension_of] : supports) {
+      Bernstein part = tension_of(view);
       part *= factor;
       sum += part;
     }
@@ -108,8 +127,17 @@ BaseForce base_force(const Model &model, std::size_t b, int axis) {
     force.by_base.base_coefficients[k] = -left * moved.base_coefficients[k];
   for (const Connection &connection : model.connections())
     if (PointReference point; supports(connection, model, b, point))
-      if (const double n = direction_of(connection, model, point)[axis]; n != 0)
-        force.supports.emplace_back(-n, connection);
+      if (const double n = direction_of(connection.elongation, model, point)[axis]; n != 0)
+        force.supports.emplace_back(
+            -n, [connection](const StepView &view) { return tension(connection, view); });
+  for (const model::Bearing &bearing : model.bearings())
+    for (Index d = 0; d < 2; ++d)
+      if (PointReference point; supports(bearing, model, b, point))
+        if (const double n =
+                direction_of(bearing.elongation[static_cast<std::size_t>(d)], model, point)[axis];
+            n != 0)
+          force.supports.emplace_back(
+              -n, [bearing, d](const StepView &view) { return pull(bearing, d, view); });
   return force;
 }
 
@@ -121,6 +149,13 @@ std::vector<Observable> connection_forces(const Model &model) {
     list.push_back({"connection/" + connection.name + "/force", "force",
                     connection.rotation ? "N m" : "N", "tension, > 0 pulls the ends together",
                     [connection](const StepView &view) { return tension(connection, view); }});
+  for (const model::Bearing &bearing : model.bearings())
+    for (Index d = 0; d < 2; ++d) {
+      const std::string which = d == 0 ? "first" : "second";
+      list.push_back({"bearing/" + bearing.name + "/" + which + "_force", "force", "N",
+                      "force along the " + which + " direction, > 0 pulls the ends together",
+                      [bearing, d](const StepView &view) { return pull(bearing, d, view); }});
+    }
   return list;
 }
 
