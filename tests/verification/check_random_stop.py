@@ -23,15 +23,21 @@ def integral(function, upper):
     return scipy.integrate.quad(function, -12, upper, points=[0, GAP] if upper > GAP else [0], epsabs=1e-12, limit=400)[0]
 
 
-def exact(law):
+def density_of(law):
+    """Of the displacement, times its integral, and this."""
     force, energy = LAWS[law]
-    upper = GAP if force is None else 8.0
 
     def density(x):
         inside = max(x - GAP, 0.0)
         return numpy.exp(-(x * x / 2 + (energy(inside) if energy else 0.0)) / T)
 
-    whole = integral(density, upper)
+    return density, integral(density, GAP if force is None else 8.0)
+
+
+def exact(law):
+    force = LAWS[law][0]
+    upper = GAP if force is None else 8.0
+    density, whole = density_of(law)
     values = {"mean displacement": integral(lambda x: x * density(x), upper) / whole,
               "mean square of the displacement": integral(lambda x: x * x * density(x), upper) / whole,
               "mean square of the velocity": T,
@@ -46,6 +52,12 @@ def exact(law):
     return values
 
 
+def rates():
+    """Rows of published/random-stop-rates.csv: level, rate at which the displacement rises through it."""
+    density, whole = density_of("linear")
+    return [f"{level:.2f}, {density(level) / whole * numpy.sqrt(T / (2 * numpy.pi)):.6f}" for level in numpy.linspace(-3.5, 2, 111)]
+
+
 def members(analysis, law, window):
     """Of each member; speeds and rates are weighted sums over impacts, so that their means are not biased by the number."""
     stop = f"contact/{law}_stop/"
@@ -54,7 +66,8 @@ def members(analysis, law, window):
              "mean square of the velocity": analysis["point/oscillator.mass/velocity_x/rms"][:] ** 2,
              "impacts per unit of time": analysis[stop + "impacts"][:] / window,
              "mean speed of impacts": analysis[stop + "approach_speed/mean"][:]}
-    for i, level in enumerate(LEVELS):
+    levels = list(analysis["crossing_level"][:])
+    for i, level in ((levels.index(level), level) for level in LEVELS):
         found[f"rises through {level:g} per unit of time"] = analysis["point/oscillator.mass/displacement_x/up_crossing_rate"][:, i]
         found[f"share of time above {level:g}"] = analysis["point/oscillator.mass/displacement_x/fraction_above"][:, i]
     if law != "rigid":
@@ -79,6 +92,12 @@ def check_laws(table, results):
     table.add("and the quantile of 0.9", numpy.quantile(force, 0.9), derived["force_high"][()], 1e-14)
 
 
+def check_rates(table):
+    file = table.arguments.source / "docs" / "gallery" / "published" / "random-stop-rates.csv"
+    lines = [line for line in file.read_text(encoding="utf-8").splitlines() if not line.startswith("#")][1:]
+    table.add_whole("points of random-stop-rates.csv", [111], [sum(row == line for row, line in zip(rates(), lines))])
+
+
 def check_coverage(table):
     """The interval of Student's distribution for ten members holds the exact value in 95 of 100 cases."""
     student = 2.262  # nine degrees of freedom, 97.5 percent
@@ -95,6 +114,7 @@ def check_coverage(table):
 
 def check(table):
     check_laws(table, table.run("random-stop.prm", "shipped"))
+    check_rates(table)
     if table.arguments.all:
         check_coverage(table)
 

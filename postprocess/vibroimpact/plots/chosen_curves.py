@@ -116,7 +116,7 @@ def draw_curve(axes, analysis, index, along, quantities, values, both, colour, l
                              DIRECTION in analysis.axes and bool(index[DIRECTION]))
     traces.draw(axes, shown, colour, swapped, **look)
     error = f"{quantities[1].path}_error"
-    if swept and analysis.has(error):
+    if analysis.has(error) and analysis.dimensions(error) == quantities[1].dimensions:
         upper = both[1].of(field(analysis, quantities[1].path, index, along) + 2 * values_of(error))
         axes.errorbar(*values, np.nan_to_num(upper - values[1]), fmt="none", ecolor=colour, elinewidth=0.7)
     return shown.loose

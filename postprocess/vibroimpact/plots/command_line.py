@@ -188,7 +188,7 @@ def wanted_figures(results: Results, analysis: Analysis, patterns):
 
     found = list(figures(results, analysis))
     if not found and not patterns:
-        print(f"{analysis.name}: nothing to draw for a {analysis.type} analysis like this")
+        print(f"{analysis.name}: no figure; the numbers of this {analysis.type} analysis are in summary.txt and results.h5")
     return [(name, function) for name, function in found
             if not patterns or any(fnmatch.fnmatch(name, pattern) for pattern in patterns)]
 
