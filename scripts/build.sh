@@ -14,11 +14,11 @@ fi
 
 [[ $(ninja -C build -n) != *"no work to do"* ]] || exit 0
 
-# A compiler takes up to 1.5 GB where deal.II's headers come in.
+# A compiler takes up to 2 GB.
 jobs=$(nproc)
 while read -r key kilobytes _; do
   [[ $key == MemAvailable: ]] || continue
-  fitting=$((kilobytes / 1500000))
+  fitting=$((kilobytes / 2000000))
   ((fitting >= jobs)) || jobs=$((fitting > 0 ? fitting : 1))
 done </proc/meminfo
 
