@@ -26,10 +26,14 @@ std::vector<Mode> connected(const ZenerConstants &k) {
     const InnerNode node = inner_node(k);
     const double by_elongation = k.branch * node.by_elongation;
     const double by_dashpot = k.branch * (node.by_dashpot - 1);
-    mode.affine = AffineLaw{.force = {.gap = -(k.parallel * node.by_elongation + by_elongation),
-                                      .internal = {-(k.parallel * node.by_dashpot + by_dashpot)}},
-                            .internal_rate = {{.gap = by_elongation / k.damping,
-                                               .internal = {by_dashpot / k.damping}}}};
+    AffineLaw law;
+    law.force.gap = -(k.parallel * node.by_elongation + by_elongation);
+    law.force.internal = {-(k.parallel * node.by_dashpot + by_dashpot)};
+    AffineForm rate;
+    rate.gap = by_elongation / k.damping;
+    rate.internal = {by_dashpot / k.damping};
+    law.internal_rate = {rate};
+    mode.affine = law;
   }
   return {mode};
 }
