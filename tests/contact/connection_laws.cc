@@ -4,6 +4,7 @@
 #include "contact/laws/formula_spring.h"
 #include "contact/laws/table_spring.h"
 #include "model/connection.h"
+#include "model/excitation.h"
 #include "motion/event/impact_log.h"
 #include "motion/path/trajectory.h"
 #include "motion/system/equilibrium.h"
@@ -157,6 +158,7 @@ TEST(ConnectionLawsTest, DerivativesPowerAndAffineForm) {
 TEST(ConnectionLawsTest, ATableAndAFormulaFromAFile) {
   const auto root = std::make_shared<parameters::Section>("", "");
   model::declare_connections(*root);
+  model::declare_excitations(*root); // which may move the ground behind a connection
   declare_connection_laws(*root);
   const auto set = parameters::ParameterSet::parse(
       root,
