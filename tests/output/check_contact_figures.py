@@ -46,17 +46,23 @@ class Contacts(unittest.TestCase):
             self.assertLess(longest[False], samples)
 
     def test_a_contact_that_is_never_reached_has_no_force_to_show(self):
+        self.expect_gap_alone(1e-3, "Contact stop, never reached")
+
+    def test_a_contact_that_cannot_close_shows_how_far_it_would(self):
+        self.expect_gap_alone(-1e-3, "Contact stop, which cannot close here")
+
+    def expect_gap_alone(self, distance, title):
         with tempfile.TemporaryDirectory() as folder:
             writer = Writer(Path(folder))
             writer.analysis("run", "transient", [])
             writer.scale("time", np.arange(5.0), "s")
-            for quantity, unit, value in (("normal_force", "N", 0.0), ("gap", "m", 1e-3)):
+            for quantity, unit, value in (("normal_force", "N", 0.0), ("gap", "m", distance)):
                 writer.field(f"contact/stop/{quantity}", np.full(5, value), unit, ["time"])
             writer.file.close()
             with Results(Path(folder)) as results:
                 figure = transient.contact_history(results.analysis("run"), "stop")
         self.assertEqual([axes.get_ylabel() for axes in figure.axes], ["Gap (mm)"])
-        self.assertEqual(figure.axes[0].get_title(), "Contact stop, never reached")
+        self.assertEqual(figure.axes[0].get_title(), title)
         self.assertIsNone(figure.axes[0].get_legend())
 
     def test_a_case_with_fewer_impacts_than_another_has_as_many_stems(self):

@@ -139,10 +139,12 @@ def histories(analysis: Analysis, rows: list[tuple[str, str]], title: str, peaks
 
 
 def contact_history(analysis: Analysis, contact: str):
-    """Force and gap; of a contact that is never reached the gap alone."""
+    """Force and gap; of a contact that is never reached, or cannot close, the gap alone."""
     force, gap = f"contact/{contact}/normal_force", f"contact/{contact}/gap"
     if analysis.has(gap) and not np.any(np.nan_to_num(analysis.read(force).values)) and not has_impacts(analysis, contact):
-        return histories(analysis, [(gap, "Gap")], f"Contact {contact}, never reached")
+        open_always = np.nanmin(analysis.read(gap).values) >= 0
+        what = "never reached" if open_always else "which cannot close here"
+        return histories(analysis, [(gap, "Gap")], f"Contact {contact}, {what}")
     rows = [(force, "Contact force")]
     peaks = impact_peaks(analysis, contact)
     many = peaks is not None and max(
