@@ -184,6 +184,20 @@ TEST(RecordersInBalanceTest, BearingsTakeEnergyAndPushTheGround) {
   EXPECT_GT(lost, 0);
   EXPECT_EQ(value_of(energy, "energy/damping_work"), lost);
   EXPECT_NEAR(value_of(energy, "energy/residual"), 0, 1e-10 * lost);
+  // Of the motion relative to the floor, and of what the bearing sees of the ground.
+  motion::Trajectory trajectory(system.model, system.contacts, system.integration);
+  const auto stored = [&] {
+    const ConstVectorView q(trajectory.state().data(), 3);
+    const Eigen::Vector2d seen(system.model.value(film.elongation[0], trajectory.time(), q),
+                               system.model.value(film.elongation[1], trajectory.time(), q));
+    return (mass * trajectory.state().segment(3, 3).squaredNorm() + 300 * q[0] * q[0] +
+            200 * q[1] * q[1] + seen.dot(film.stiffness * seen)) /
+           2;
+  };
+  trajectory.start(0, system.initial.displacement, system.initial.velocity);
+  const double before = stored();
+  trajectory.advance(end);
+  EXPECT_NEAR(value_of(energy, "energy/stored_change"), stored() - before, 1e-9 * lost);
   const PointResult motion = recorded<Statistics>(system, window, ObservedSelection{});
   const PointResult forces = recorded<Forces>(system, window);
   for (const std::string axis : {"x", "y"}) {
