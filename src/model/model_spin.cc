@@ -16,6 +16,15 @@ namespace {
 
 Matrix skew_part(const Matrix &matrix) { return (matrix - matrix.transpose()) / 2; }
 
+// What the bodies of a spin have of a matrix; 0 x 0 for those without.
+template <class Of> Matrix blocks_of(const Model &model, const Spin &spin, const Of &of) {
+  Matrix matrix = Matrix::Zero(model.size(), model.size());
+  for (const std::size_t b : spin.bodies)
+    if (const Matrix block = of(*model.bodies()[b]); block.size() > 0)
+      matrix.block(model.offset(b), model.offset(b), block.rows(), block.cols()) = block;
+  return matrix;
+}
+
 } // namespace
 
 Matrix Bearing::rows() const {
@@ -81,29 +90,19 @@ void Model::add_unbalance(const std::string &name, double unbalance, const SpinS
 }
 
 Matrix Model::gyroscopic(std::size_t spin) const {
-  Matrix matrix = Matrix::Zero(size(), size());
-  for (const std::size_t b : spins_[spin].bodies)
-    matrix.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
-        bodies_[b]->spin.gyroscopic;
-  return matrix;
+  return blocks_of(*this, spins_[spin],
+                   [](const reduction::ReducedBody &body) { return body.spin.gyroscopic; });
 }
 
 Matrix Model::circulation(std::size_t spin) const {
-  Matrix matrix = Matrix::Zero(size(), size());
-  for (const std::size_t b : spins_[spin].bodies)
-    if (bodies_[b]->spin.circulatory.size() > 0)
-      matrix.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
-          bodies_[b]->spin.circulatory;
-  return matrix;
+  return blocks_of(*this, spins_[spin],
+                   [](const reduction::ReducedBody &body) { return body.spin.circulatory; });
 }
 
 Matrix Model::centrifugal(std::size_t spin) const {
-  Matrix matrix = Matrix::Zero(size(), size());
-  for (const std::size_t b : spins_[spin].bodies)
-    if (bodies_[b]->spin.rotating_frame)
-      matrix.block(offsets_[b], offsets_[b], bodies_[b]->size(), bodies_[b]->size()) =
-          bodies_[b]->spin.centrifugal;
-  return matrix;
+  return blocks_of(*this, spins_[spin], [](const reduction::ReducedBody &body) {
+    return body.spin.rotating_frame ? body.spin.centrifugal : Matrix();
+  });
 }
 
 void Model::add_spin(const Spin &spin) {

@@ -102,7 +102,6 @@ ContactSet parted(const Model &model, const std::vector<double> &parts, double s
 
 // They stop, hold and start together as one contact with the sum of their forces does.
 TEST_P(PlanarCoulombTest, ContactsOfTheSameSidesAreOne) {
-  const bool exact = std::string(GetParam()) == "exact";
   const Sled sled{.mass = 1, .kx = 1, .ky = 1.7, .driven = true};
   const Model model = sled_model(sled);
   for (const double static_coefficient : {0.1, 0.12}) {
@@ -117,8 +116,10 @@ TEST_P(PlanarCoulombTest, ContactsOfTheSameSidesAreOne) {
       trajectory.advance(11, changes);
       if (whole.size() == 0)
         whole = trajectory.state().head(6);
-      EXPECT_LT((trajectory.state().head(6) - whole).norm(), exact ? 1e-9 : 1e-7);
-      EXPECT_LT(trajectory.accuracy().energy_residual, exact ? 1e-10 : 1e-7);
+      // Where the coefficients are equal the instant at which a break-away begins is uncertain.
+      EXPECT_LT((trajectory.state().head(6) - whole).norm(),
+                static_coefficient > 0.1 ? 1e-12 : 1e-10);
+      EXPECT_LT(trajectory.accuracy().energy_residual, 2e-12);
     }
   }
 }
